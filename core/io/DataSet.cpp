@@ -1,0 +1,63 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#include "brickwall/core/io/DataSet.h"
+
+#include "brickwall/core/io/Formats.h"
+#include "brickwall/core/io/Sample.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+
+namespace brickwall {
+namespace {
+
+void checkExists(const std::string& data)
+{
+    std::error_code error;
+    const auto status = std::filesystem::status(data, error);
+    if (status.type() == std::filesystem::file_type::not_found)
+        throw Error(data, "there is no such file or folder");
+    if (status.type() == std::filesystem::file_type::none)
+        throw Error(data, fmt::format("cannot be opened: {}", error.message()));
+    if (std::filesystem::is_directory(status)) {
+        if (std::filesystem::is_empty(data, error) && !error)
+            throw Error(data, "the folder is empty");
+        return;
+    }
+    if (!std::filesystem::is_regular_file(status))
+        throw Error(data, "expected a file or a folder");
+    if (std::filesystem::file_size(data, error) == 0 && !error)
+        throw Error(data, "the file is empty");
+}
+
+} // namespace
+
+std::span<const Format> formats()
+{
+    static const std::array all{
+        Format{"sample", "sample:NAME[:SIZE], made and not read", openSample},
+        Format{"AMReX plotfile", "a folder with a file Header that starts like HyperCLaw-V1.1", openPlotfile},
+        Format{"ExaBrick", "a text file .exa", openExa},
+        Format{"ExaBrick bricks", "a file .bricks, with .scalars beside it", openBricks},
+        Format{"ExaBrick cells", "a file .cells, with .scalars beside it", openCells},
+        Format{"ExaBrick parts", ".scalars and .tris, through the file that names them", openExaPart},
+    };
+    return all;
+}
+
+std::unique_ptr<DataSet> openDataSet(const std::string& data)
+{
+    const bool sample = data.starts_with("sample:");
+    if (!sample)
+        checkExists(data);
+    std::string known;
+    for (const Format& format : formats()) {
+        if (auto set = format.open(data))
+            return set;
+        known += fmt::format("{}{} ({})", known.empty() ? "" : "; ", format.name, format.looksLike);
+    }
+    throw Error(data, fmt::format("is of no format that can be read; expected one of: {}", known));
+}
+
+} // namespace brickwall

@@ -1,0 +1,49 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "brickwall/core/base/Executor.h"
+#include "brickwall/core/base/Progress.h"
+#include "brickwall/core/model/Model.h"
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace brickwall {
+
+/// An opened data set: its fields are known by name, values are read when asked for.
+class DataSet
+{
+public:
+    virtual ~DataSet() = default;
+
+    virtual std::string format() const = 0;                  ///< for people: "ExaBrick", "AMReX plotfile"
+    virtual std::vector<std::string> fieldNames() const = 0; ///< in the file's order; may be empty (geometry alone)
+    /// What is shown if nobody says what: the file's choice, or the first field.
+    virtual std::string defaultField() const = 0;
+    /// The bricks with the values of these fields, in this order. Throws Error for an unknown name (listing those there
+    /// are), for anything broken in the files, and Cancelled. May be called several times, from one thread at a time.
+    virtual Model load(std::span<const std::string> fields, const Executor& executor, Progress& progress) const = 0;
+};
+
+/// One format. Which reader answers is decided by what is in the file, not by its name.
+///
+/// A null result means "not mine"; "mine, but broken at ..." is an Error.
+using OpenFunction = std::unique_ptr<DataSet> (*)(const std::string& data);
+
+struct Format
+{
+    std::string name;
+    std::string looksLike; ///< for the message that lists what can be read
+    OpenFunction open;
+};
+
+/// All formats, in the order in which they are asked.
+std::span<const Format> formats();
+
+/// `data` is a file, a folder, or `sample:NAME[:SIZE]`. Throws Error if it does not exist, is empty, or belongs to no
+/// format.
+std::unique_ptr<DataSet> openDataSet(const std::string& data);
+
+} // namespace brickwall

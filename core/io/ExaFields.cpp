@@ -1,0 +1,158 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#include "brickwall/core/io/ExaFields.h"
+
+#include "brickwall/core/base/Error.h"
+#include "brickwall/core/io/FieldNames.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace brickwall {
+namespace {
+
+constexpr std::size_t grain = 1 << 16;
+
+std::vector<float> readScalars(const std::string& path, const Executor& executor, Progress& progress)
+{
+    const InputFile file(path);
+    if (file.size() == 0)
+        throw Error(path, "the file is empty, expected float32 values");
+    if (file.size() % sizeof(float) != 0)
+        throw Error(path, fmt::format("truncated: expected float32 values, found {} bytes, which is no multiple of 4",
+                                      file.size()));
+    std::vector<float> values(file.size() / sizeof(float));
+    executor.forEach(values.size(), grain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; i += grain) {
+            progress.check();
+            file.readAt(i * sizeof(float), std::span(values).subspan(i, std::min(grain, end - i)), "values");
+        }
+    });
+    return values;
+}
+
+/// Evaluates fields once each, as several may be used by one expression.
+class Reader
+{
+public:
+    Reader(std::span<const ExaField> all, const ExaGeometry& geometry, const Executor& executor, Progress& progress)
+        : all_(all), geometry_(geometry), executor_(executor), progress_(progress)
+    {
+    }
+
+    const std::vector<float>& values(std::size_t index)
+    {
+        const auto known = done_.find(index);
+        if (known != done_.end())
+            return known->second;
+        const ExaField& field = all_[index];
+        std::vector<float> result = field.expression          ? evaluate(field)
+                                    : field.files.size() == 3 ? magnitude(field)
+                                                              : gatherFile(field, field.files[0]);
+        return done_[index] = std::move(result);
+    }
+
+    /// The values, of which the reader keeps no copy.
+    std::vector<float> take(std::size_t index)
+    {
+        values(index);
+        return std::move(done_.extract(index).mapped());
+    }
+
+private:
+    std::vector<float> gatherFile(const ExaField& field, const std::string& path)
+    {
+        progress_.begin(fmt::format("reading {}", field.name), geometry_.cellCount);
+        const std::vector<float> scalars = readScalars(path, executor_, progress_);
+        std::vector<float> result(geometry_.cellCount);
+        geometry_.forEachId(executor_, progress_, [&](std::uint64_t first, std::span<const std::uint32_t> ids) {
+            for (std::size_t i = 0; i < ids.size(); ++i) {
+                if (ids[i] >= scalars.size())
+                    throw Error(geometry_.place, fmt::format("cell ID {} of {} is outside {}, which has {} values",
+                                                             static_cast<std::int32_t>(ids[i]),
+                                                             geometry_.describe(first + i), path, scalars.size()));
+                result[first + i] = scalars[ids[i]];
+            }
+        });
+        progress_.end();
+        return result;
+    }
+
+    std::vector<float> magnitude(const ExaField& field)
+    {
+        std::vector<float> result = gatherFile(field, field.files[0]);
+        const std::vector<float> y = gatherFile(field, field.files[1]);
+        const std::vector<float> z = gatherFile(field, field.files[2]);
+        executor_.forEach(result.size(), grain, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const double a = result[i], b = y[i], c = z[i];
+                result[i] = static_cast<float>(std::sqrt(a * a + b * b + c * c));
+            }
+        });
+        return result;
+    }
+
+    std::vector<float> evaluate(const ExaField& field)
+    {
+        std::vector<const std::vector<float>*> inputs; // nodes of a map stay where they are
+        for (const std::size_t used : field.expression->fields())
+            inputs.push_back(&values(used));
+        progress_.begin(fmt::format("evaluating {}", field.name), geometry_.cellCount);
+        std::vector<float> result(geometry_.cellCount);
+        executor_.forEach(result.size(), grain, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; i += grain) {
+                progress_.check();
+                const std::size_t n = std::min(grain, end - i);
+                std::vector<std::span<const float>> parts;
+                for (const auto* input : inputs)
+                    parts.push_back(std::span(*input).subspan(i, n));
+                field.expression->evaluate(parts, std::span(result).subspan(i, n));
+                progress_.advance(n);
+            }
+        });
+        progress_.end();
+        return result;
+    }
+
+    std::span<const ExaField> all_;
+    const ExaGeometry& geometry_;
+    const Executor& executor_;
+    Progress& progress_;
+    std::map<std::size_t, std::vector<float>> done_;
+};
+
+void checkFinite(const ExaField& field, const std::vector<float>& values, const ExaGeometry& geometry)
+{
+    const auto bad = std::find_if(values.begin(), values.end(), [](float v) { return !std::isfinite(v); });
+    if (bad != values.end())
+        failNotFinite(*bad, field.files.size() == 1 ? field.files[0] : field.place, field.name,
+                      geometry.describe(static_cast<std::uint64_t>(bad - values.begin())));
+}
+
+} // namespace
+
+std::vector<Field> readExaFields(std::span<const ExaField> all, std::span<const std::size_t> wanted,
+                                 const ExaGeometry& geometry, const Executor& executor, Progress& progress)
+{
+    Reader reader(all, geometry, executor, progress);
+    // Only expressions ask for a field again, and then a copy has to stay with the reader.
+    const bool expressions =
+        std::any_of(wanted.begin(), wanted.end(), [&](std::size_t i) { return all[i].expression.has_value(); });
+    std::vector<Field> fields;
+    for (const std::size_t index : wanted) {
+        const ExaField& declared = all[index];
+        Field field;
+        field.name = declared.name;
+        field.values = expressions ? reader.values(index) : reader.take(index);
+        checkFinite(declared, field.values, geometry);
+        field.range = rangeOf(field.values);
+        field.preferredRange = declared.preferredRange;
+        fields.push_back(std::move(field));
+    }
+    return fields;
+}
+
+} // namespace brickwall

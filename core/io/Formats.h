@@ -1,0 +1,21 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "brickwall/core/io/DataSet.h"
+
+#include <memory>
+#include <string>
+
+namespace brickwall {
+
+// The readers' doors, one per format, as OpenFunction in DataSet.h says: null for "not mine", Error for "mine, and
+// broken".
+
+std::unique_ptr<DataSet> openPlotfile(const std::string& data); ///< AMReX and BoxLib, a folder or its Header
+std::unique_ptr<DataSet> openExa(const std::string& data);      ///< ExaBrick's .exa, which names the other files
+std::unique_ptr<DataSet> openBricks(const std::string& data);   ///< .bricks with the .scalars beside it
+std::unique_ptr<DataSet> openCells(const std::string& data);    ///< .cells with the .scalars beside it
+/// .scalars and .tris say nothing alone: always null or an Error that names the file to open instead.
+std::unique_ptr<DataSet> openExaPart(const std::string& data);
+
+} // namespace brickwall
