@@ -1,0 +1,76 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "brickwall/core/base/Range.h"
+#include "brickwall/core/base/Vec.h"
+
+#include <string>
+#include <vector>
+
+namespace brickwall {
+
+/// How a value is mapped to t in [0, 1] over the range: linearly, or by its logarithm (range.lo > 0).
+enum class Scale { linear, logarithmic };
+
+struct ColorPoint
+{
+    float t;
+    vec3f color; ///< linear RGB, not premultiplied
+};
+
+struct OpacityPoint
+{
+    float t;
+    float value; ///< opacity in [0, 1] per reference length, or extinction per finest cell
+};
+
+/// Colour c(v) and extinction sigma(v), both piecewise linear in t in [0, 1]; transparent outside the range.
+///
+/// Opacity a is meant per `referenceLength` (in finest cells, default 1 as in ExaBrick) and becomes the extinction
+/// sigma = -ln(1 - min(a, opacityCap)) / referenceLength per finest cell. Points at equal t make a step. Plain data;
+/// copies are cheap.
+struct TransferFunction
+{
+    /// The largest opacity; 1 would be an infinite extinction.
+    static constexpr float opacityCap = 0.9999f;
+
+    enum class Kind { opacity, extinction };
+
+    Range range{0.0f, 1.0f};
+    Scale scale = Scale::linear;
+    std::vector<ColorPoint> colors;    ///< ascending t, at least one
+    std::vector<OpacityPoint> opacity; ///< ascending t, at least one; flat beyond the ends, inside [0, 1]
+    Kind kind = Kind::opacity;
+    float referenceLength = 1.0f;
+    float opacityScale = 1.0f; ///< multiplies the points' values, before the cap
+};
+
+/// Throws Error naming `place` if points are missing, unsorted, outside [0, 1], not finite, or the range is empty.
+void checkTransferFunction(const TransferFunction& tf, const std::string& place);
+
+/// t of a value; below 0 or above 1 outside the range.
+double normalized(const TransferFunction& tf, double value);
+
+/// Exact evaluation in double, for references and legends. `extinction` is 0 outside the range.
+vec3d colorAt(const TransferFunction& tf, double value);
+double extinctionAt(const TransferFunction& tf, double value);
+
+/// The sampled form that the renderer looks up: linear between `size` entries at t = i / (size - 1), colour and
+/// extinction. With the table of the largest extinction over any interval of entries, so that a range query is O(1).
+struct TransferTable
+{
+    Range range;
+    Scale scale = Scale::linear;
+    std::vector<vec4f> entries;                    ///< r, g, b (linear), extinction per finest cell
+    std::vector<std::vector<float>> maxExtinction; ///< sparse table: [k][i] = max over entries i .. i + 2^k - 1
+
+    /// The largest extinction that the table has over the values of `r`, rounded upwards; 0 means that a region with
+    /// that range may be skipped. Both ends of both ranges belong to them. O(1).
+    float largestExtinction(const Range& r) const;
+};
+
+/// Checks `tf`, then samples it at `size` >= 2 entries. The default is 8 x 127 + 1, so that the knots of a `.xf` (128
+/// of them) lie on entries. Steps become slopes one entry wide; a peak narrower than an entry may be missed.
+TransferTable tabulate(const TransferFunction& tf, int size = 1017);
+
+} // namespace brickwall

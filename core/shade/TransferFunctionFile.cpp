@@ -1,0 +1,208 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#include "brickwall/core/shade/TransferFunctionFile.h"
+
+#include "brickwall/core/base/Error.h"
+#include "brickwall/core/base/WholeFile.h"
+#include "brickwall/core/shade/ColorMaps.h"
+#include "brickwall/core/shade/Srgb.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstring>
+#include <set>
+
+namespace brickwall {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::size_t xfCount = 128;
+
+/// A `.xf` may begin with any byte, '{' included; but text has no control characters, and 128 floats always have.
+bool looksLikeJson(std::string_view bytes)
+{
+    const auto isBlank = [](unsigned char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; };
+    const auto first = std::find_if_not(bytes.begin(), bytes.end(), isBlank);
+    return first != bytes.end() && *first == '{' &&
+           std::all_of(bytes.begin(), bytes.end(), [&](unsigned char c) { return c >= 0x20 || isBlank(c); });
+}
+
+TransferFunction fromXf(const std::string& bytes, const std::string& path, const std::vector<ColorPoint>& colors,
+                        const Range& range)
+{
+    if (bytes.size() != xfCount * sizeof(float))
+        throw Error(path, fmt::format("expected a .xf of 512 bytes (128 float32 opacities) or a JSON object, found {} "
+                                      "bytes",
+                                      bytes.size()));
+    TransferFunction tf;
+    tf.range = range;
+    tf.colors = colors;
+    for (std::size_t i = 0; i < xfCount; ++i) {
+        float value = 0.0f;
+        std::memcpy(&value, bytes.data() + i * sizeof value, sizeof value);
+        if (!(value >= 0.0f && value <= 1.0f))
+            throw Error(path, fmt::format("byte {}: expected an opacity in [0, 1], found {}", i * sizeof value, value));
+        tf.opacity.push_back({float(i) / float(xfCount - 1), value});
+    }
+    return tf;
+}
+
+Json parse(const std::string& text, const std::string& path)
+{
+    std::set<std::string> keys;
+    const auto refuseDoubles = [&](int depth, Json::parse_event_t event, Json& value) {
+        if (event == Json::parse_event_t::key && depth == 1 && !keys.insert(value.get<std::string>()).second)
+            throw Error(path, fmt::format("'{}' is given twice", value.get<std::string>()));
+        return true;
+    };
+    try {
+        return Json::parse(text, refuseDoubles);
+    } catch (const Json::parse_error& e) {
+        const std::size_t end = std::min(text.size(), e.byte);
+        const auto line = 1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(end), '\n');
+        std::string message = e.what();
+        if (const auto at = message.find(": "); at != std::string::npos)
+            message = message.substr(at + 2);
+        throw Error(fmt::format("{}:{}", path, line), message);
+    }
+}
+
+const Json& required(const Json& json, const char* key, const std::string& path)
+{
+    if (!json.contains(key))
+        throw Error(path, fmt::format("expected a key '{}'", key));
+    return json[key];
+}
+
+float numberOf(const Json& json, const std::string& place)
+{
+    if (!json.is_number())
+        throw Error(place, fmt::format("expected a number, found {}", json.dump()));
+    return float(json.get<double>());
+}
+
+std::vector<float> numbersOf(const Json& json, std::size_t count, const std::string& place)
+{
+    if (!json.is_array() || json.size() != count)
+        throw Error(place, fmt::format("expected [{} numbers], found {}", count, json.dump()));
+    std::vector<float> numbers;
+    for (const Json& item : json)
+        numbers.push_back(numberOf(item, place));
+    return numbers;
+}
+
+template <class Use>
+void eachPoint(const Json& json, std::size_t count, const std::string& place, Use use)
+{
+    if (!json.is_array())
+        throw Error(place, fmt::format("expected a list of points, found {}", json.dump()));
+    for (std::size_t i = 0; i < json.size(); ++i)
+        use(numbersOf(json[i], count, fmt::format("{}[{}]", place, i)), fmt::format("{}[{}]", place, i));
+}
+
+float displayValue(float v, const std::string& place)
+{
+    if (!(v >= 0.0f && v <= 1.0f))
+        throw Error(place, fmt::format("expected colour components in [0, 1], found {}", v));
+    return linearFromSrgb(v);
+}
+
+std::vector<ColorPoint> colorsOf(const Json& json, const std::string& place)
+{
+    if (json.is_string()) {
+        try {
+            return colorMap(json.get<std::string>());
+        } catch (const Error& e) {
+            throw Error(place, e.what());
+        }
+    }
+    std::vector<ColorPoint> colors;
+    eachPoint(json, 4, place, [&](const std::vector<float>& v, const std::string& at) {
+        colors.push_back({v[0], {displayValue(v[1], at), displayValue(v[2], at), displayValue(v[3], at)}});
+    });
+    return colors;
+}
+
+Scale scaleOf(const Json& json, const std::string& place)
+{
+    if (json == "linear")
+        return Scale::linear;
+    if (json == "log")
+        return Scale::logarithmic;
+    throw Error(place, fmt::format("expected \"linear\" or \"log\", found {}", json.dump()));
+}
+
+void refuseUnknown(const Json& json, const std::string& path)
+{
+    static const std::set<std::string> known{"range",      "scale",        "colors", "opacity", "reference_length",
+                                             "extinction", "opacity_scale"};
+    for (const auto& [key, value] : json.items())
+        if (!known.contains(key))
+            throw Error(path, fmt::format("unknown key '{}'; known are {}", key, fmt::join(known, ", ")));
+}
+
+TransferFunction fromJson(const std::string& text, const std::string& path)
+{
+    const Json json = parse(text, path);
+    refuseUnknown(json, path);
+    const auto place = [&](const char* key) { return fmt::format("{}: {}", path, key); };
+
+    TransferFunction tf;
+    const std::vector<float> range = numbersOf(required(json, "range", path), 2, place("range"));
+    tf.range = {range[0], range[1]};
+    if (json.contains("scale"))
+        tf.scale = scaleOf(json["scale"], place("scale"));
+    tf.colors = colorsOf(required(json, "colors", path), place("colors"));
+    if (json.contains("opacity") == json.contains("extinction"))
+        throw Error(path, "expected either 'opacity' or 'extinction'");
+    const char* key = json.contains("opacity") ? "opacity" : "extinction";
+    tf.kind = json.contains("opacity") ? TransferFunction::Kind::opacity : TransferFunction::Kind::extinction;
+    eachPoint(json[key], 2, place(key), [&](const std::vector<float>& v, const std::string&) {
+        tf.opacity.push_back({v[0], v[1]});
+    });
+    if (json.contains("reference_length")) {
+        if (tf.kind == TransferFunction::Kind::extinction)
+            throw Error(place("reference_length"), "belongs to 'opacity'; an extinction is per finest cell");
+        tf.referenceLength = numberOf(json["reference_length"], place("reference_length"));
+    }
+    if (json.contains("opacity_scale"))
+        tf.opacityScale = numberOf(json["opacity_scale"], place("opacity_scale"));
+    return tf;
+}
+
+} // namespace
+
+TransferFunction readTransferFunction(const std::string& path, const std::vector<ColorPoint>& xfColors,
+                                      const Range& xfRange)
+{
+    const std::string bytes = readWholeFile(path);
+    const TransferFunction tf = looksLikeJson(bytes) ? fromJson(bytes, path) : fromXf(bytes, path, xfColors, xfRange);
+    checkTransferFunction(tf, path);
+    return tf;
+}
+
+void writeTransferFunction(const TransferFunction& tf, const std::string& path)
+{
+    checkTransferFunction(tf, path);
+    const bool isOpacity = tf.kind == TransferFunction::Kind::opacity;
+    std::string colors;
+    for (const ColorPoint& p : tf.colors)
+        colors += fmt::format("{}\n    [{}, {}, {}, {}]", colors.empty() ? "" : ",", p.t, srgbFromLinear(p.color.x),
+                              srgbFromLinear(p.color.y), srgbFromLinear(p.color.z));
+    std::string points;
+    for (const OpacityPoint& p : tf.opacity)
+        points += fmt::format("{}\n    [{}, {}]", points.empty() ? "" : ",", p.t, p.value);
+    std::string text = fmt::format("{{\n  \"range\": [{}, {}],\n  \"scale\": \"{}\",\n", tf.range.lo, tf.range.hi,
+                                   tf.scale == Scale::linear ? "linear" : "log");
+    text += fmt::format("  \"colors\": [{}\n  ],\n", colors);
+    if (isOpacity)
+        text += fmt::format("  \"reference_length\": {},\n", tf.referenceLength);
+    text += fmt::format("  \"opacity_scale\": {},\n", tf.opacityScale);
+    text += fmt::format("  \"{}\": [{}\n  ]\n}}\n", isOpacity ? "opacity" : "extinction", points);
+    writeWholeFile(path, text);
+}
+
+} // namespace brickwall

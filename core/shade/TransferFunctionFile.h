@@ -1,0 +1,32 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "brickwall/core/shade/TransferFunction.h"
+
+#include <string>
+#include <vector>
+
+namespace brickwall {
+
+/// Reads a transfer function; the content tells which of the two kinds it is.
+///
+/// ExaBrick's `.xf`: exactly 128 float32 (little-endian) opacities in [0, 1] at t = i / 127, per finest cell. It has no
+/// colours and no range: they are `xfColors` and `xfRange`.
+///
+/// JSON, an object with
+///   "range": [lo, hi]                  values at t = 0 and 1
+///   "scale": "linear" | "log"          optional, linear
+///   "colors": [[t, r, g, b], ...]      display (sRGB) values in [0, 1] as in ParaView, or the name of a colour map
+///   "opacity": [[t, a], ...]           per "reference_length" finest cells (optional, 1), or instead
+///   "extinction": [[t, s], ...]        per finest cell
+///   "opacity_scale": s                 optional, 1
+/// Between the points colours are interpolated in linear RGB.
+///
+/// Throws Error naming the file and the line, key or byte.
+TransferFunction readTransferFunction(const std::string& path, const std::vector<ColorPoint>& xfColors,
+                                      const Range& xfRange);
+
+/// Writes the JSON; `readTransferFunction` gives it back, colours to rounding.
+void writeTransferFunction(const TransferFunction& tf, const std::string& path);
+
+} // namespace brickwall
