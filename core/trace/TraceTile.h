@@ -1,0 +1,72 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "brickwall/core/model/Regions.h"
+#include "brickwall/core/shade/TransferFunction.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace brickwall {
+
+/// Up to `capacity` rays of one view, an array per component, to be integrated several at a time. A ray is
+/// org + t dir, 0 <= tNear <= t <= tFar, in voxels; `org` is relative to TraceScene::origin, `dir` has unit length in
+/// voxel space. The interval lies within the bounds of the regions; rays that meet nothing have tNear = tFar = 0. All
+/// numbers are finite.
+struct RayTile
+{
+    static constexpr int capacity = 256;
+    template <class T>
+    using PerRay = std::array<T, capacity>;
+
+    int count = 0;
+    alignas(64) std::array<PerRay<float>, 3> org{};
+    alignas(64) std::array<PerRay<float>, 3> dir{};
+    alignas(64) PerRay<float> tNear{};
+    alignas(64) PerRay<float> tFar{};
+    alignas(64) PerRay<float> offset{};       ///< of the sample planes, in steps, in [0, 1)
+    alignas(64) PerRay<float> worldStretch{}; ///< length in world space of `dir`
+};
+
+/// What came of the rays of a tile. Premultiplied linear colour; the opacity is 1 - transmittance.
+struct TileResult
+{
+    alignas(64) std::array<RayTile::PerRay<float>, 3> color;
+    alignas(64) RayTile::PerRay<float> transmittance;
+    alignas(64) RayTile::PerRay<float> weightedDistance; ///< sum over opacity contributions times their t
+    std::uint64_t samples = 0;                           ///< evaluations of B
+    std::uint64_t regionsVisited = 0;                    ///< per ray
+};
+
+/// What rays of a view go through. Everything is borrowed.
+struct TraceScene
+{
+    const RegionTree* regions = nullptr;
+    std::span<const KdNode> nodes; ///< the tree's, or what `visibleNodes` made of them
+    const PaddedField* field = nullptr;
+    const TransferTable* table = nullptr;
+    /// Half voxels; a point near the eye and the data, so that floats relative to it are precise.
+    vec3i origin{0};
+    /// G = worldFromVoxel^-1 worldFromVoxel^-T (xx, yy, zz, xy, xz, yz): a gradient g in voxel space has the length
+    /// sqrt(g G g) in world space.
+    std::array<float, 6> gradientMetric{1, 1, 1, 0, 0, 0};
+};
+
+/// Midpoint sampling in steps of dt finest cell widths of a region (Wald et al., "Ray Tracing Structured AMR Data Using
+/// ExaBricks", 2021), samples being weighted by the true length of their segment.
+struct MidpointParameters
+{
+    float dt = 0.5f;
+    float terminationOpacity = 1.0f;
+    bool headlight = false;
+};
+
+/// Integrates the rays of a tile. A ray's result depends on that ray alone, not on its neighbours. Thread-safe.
+void traceMidpoint(const TraceScene& scene, const MidpointParameters& parameters, const RayTile& rays,
+                   TileResult& result);
+
+/// Walks the rays of a tile and only counts the regions they visit: for benchmarks.
+std::uint64_t countRegions(const TraceScene& scene, const RayTile& rays);
+
+} // namespace brickwall
