@@ -1,0 +1,157 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#include "brickwall/core/render/RayTiles.h"
+
+#include "brickwall/core/base/Error.h"
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace brickwall {
+namespace {
+
+/// In voxels: beyond, even a double cannot tell the cells along a ray.
+constexpr double farthestEye = 1e12;
+
+/// Every second bit of a Morton code.
+int evenBits(int code)
+{
+    return (code & 1) | (code >> 1 & 2) | (code >> 2 & 4) | (code >> 3 & 8);
+}
+
+/// In [0, 1), the same for a pixel of a screen wherever it is rendered (the mixing function of splitmix64).
+float offsetOfPixel(int x, int y)
+{
+    std::uint64_t h = (std::uint64_t(std::uint32_t(x)) << 32 | std::uint32_t(y)) + 0x9e3779b97f4a7c15u;
+    h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9u;
+    h = (h ^ (h >> 27)) * 0x94d049bb133111ebu;
+    h ^= h >> 31;
+    return static_cast<float>(h >> 40) * 0x1p-24f;
+}
+
+bool finite(const vec3d& v)
+{
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// The matrices of a host may mirror, so that the corners run the other way round; they then say themselves that the
+/// eye is their centre (w = 0) and the screen ahead of it (w > 0).
+bool mirroredInFront(const View& view)
+{
+    const vec3d center = 0.5 * (view.lowerLeft + view.upperRight);
+    const double atEye = (view.clipFromWorld * vec4d(view.eye, 1.0)).w;
+    const double atScreen = (view.clipFromWorld * vec4d(center, 1.0)).w;
+    return atScreen > 0.0 && std::abs(atEye) < 1e-6 * atScreen;
+}
+
+void checkView(const View& view)
+{
+    const std::string place = fmt::format("view '{}'", view.name);
+    if (view.screenWidth < 1 || view.screenHeight < 1 || view.window.width < 1 || view.window.height < 1)
+        throw Error(place, fmt::format("expected a screen and a window with pixels, found {} x {} and {} x {}",
+                                       view.screenWidth, view.screenHeight, view.window.width, view.window.height));
+    if (!finite(view.eye) || !finite(view.lowerLeft) || !finite(view.lowerRight) || !finite(view.upperRight))
+        throw Error(place, "expected finite positions of the eye and the screen's corners");
+    if (!(eyeDistance(view) > 0.0) && !mirroredInFront(view))
+        throw Error(place,
+                    fmt::format("the eye has to be in front of its screen, found {:g} behind it", -eyeDistance(view)));
+}
+
+/// Where the ray is in the box, starting at 0; nothing if it is nowhere. Lower faces belong to the box.
+std::optional<std::pair<double, double>> clip(const Box3d& box, const vec3d& org, const vec3d& dir)
+{
+    double t0 = 0.0, t1 = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+        if (dir[axis] == 0.0) {
+            if (org[axis] < box.lower[axis] || org[axis] >= box.upper[axis])
+                return {};
+            continue;
+        }
+        const double a = (box.lower[axis] - org[axis]) / dir[axis];
+        const double b = (box.upper[axis] - org[axis]) / dir[axis];
+        t0 = std::max(t0, std::min(a, b));
+        t1 = std::min(t1, std::max(a, b));
+    }
+    if (!(t0 < t1))
+        return {};
+    return std::pair(t0, t1);
+}
+
+} // namespace
+
+ViewRays::ViewRays(const View& view, const Box3i& halfBounds, const mat4d& worldFromVoxel, bool interleave)
+    : view_(view), bounds_{0.5 * vec3d(halfBounds.lower), 0.5 * vec3d(halfBounds.upper)}, interleave_(interleave)
+{
+    checkView(view);
+    const mat4d voxelFromWorld = glm::inverse(worldFromVoxel);
+    eye_ = transformPoint(voxelFromWorld, view.eye);
+    toLowerLeft_ = transformVector(voxelFromWorld, view.lowerLeft - view.eye);
+    right_ = transformVector(voxelFromWorld, view.lowerRight - view.lowerLeft);
+    up_ = transformVector(voxelFromWorld, view.upperRight - view.lowerRight);
+    if (!finite(eye_))
+        throw Error(fmt::format("view '{}'", view.name), "expected worldFromVoxel to be invertible");
+    const vec3d nearest = glm::clamp(eye_, bounds_.lower, bounds_.upper);
+    origin_ = vec3i(glm::round(2.0 * nearest));
+    start_ = std::floor(glm::distance(eye_, nearest));
+    if (!(start_ < farthestEye))
+        throw Error(
+            fmt::format("view '{}'", view.name),
+            fmt::format("the eye is {:g} finest cells from the data, where nothing can be seen of it: expected at "
+                        "most {:g}",
+                        start_, farthestEye));
+}
+
+void ViewRays::fill(int x, int y, TilePixels& pixels, RayTile& rays) const
+{
+    int n = 0;
+    for (int code = 0; code < RayTile::capacity; ++code) {
+        const int px = x + evenBits(code), py = y + evenBits(code >> 1);
+        if (px >= view_.window.width || py >= view_.window.height)
+            continue;
+        const int screenX = view_.window.x + px, screenY = view_.window.y + py;
+        const double u = (screenX + 0.5) / view_.screenWidth, v = (screenY + 0.5) / view_.screenHeight;
+        const vec3d direction = toLowerLeft_ + u * right_ + v * up_;
+        pixels.x[n] = px;
+        pixels.y[n] = py;
+        pixels.worldDirection[n] = rayDirection(view_, screenX, screenY);
+        pixels.voxelLength[n] = glm::length(direction);
+        rays.offset[n] = interleave_ ? offsetOfPixel(screenX, screenY) : 0.0f;
+        rays.worldStretch[n] = static_cast<float>(glm::length(pixels.worldDirection[n]) / pixels.voxelLength[n]);
+        setRay(n, direction / pixels.voxelLength[n], rays);
+        ++n;
+    }
+    pixels.count = rays.count = n;
+}
+
+void ViewRays::setRay(int ray, const vec3d& direction, RayTile& rays) const
+{
+    const vec3d org = (eye_ + start_ * direction) - 0.5 * vec3d(origin_);
+    const auto inside = clip(bounds_, eye_, direction);
+    for (int axis = 0; axis < 3; ++axis) {
+        rays.org[axis][ray] = inside ? static_cast<float>(org[axis]) : 0.0f;
+        rays.dir[axis][ray] = static_cast<float>(direction[axis]);
+    }
+    rays.tNear[ray] = inside ? static_cast<float>(std::max(0.0, inside->first - start_)) : 0.0f;
+    rays.tFar[ray] = inside ? static_cast<float>(std::max(0.0, inside->second - start_)) : 0.0f;
+}
+
+void ViewRays::endAt(int ray, double t, const TilePixels& pixels, RayTile& rays) const
+{
+    const double end = std::max(0.0, tileFromWorld(ray, t, pixels));
+    rays.tFar[ray] = std::min(rays.tFar[ray], static_cast<float>(end));
+}
+
+float ViewRays::depthAt(int ray, double t, const TilePixels& pixels) const
+{
+    const vec4d clip = view_.clipFromWorld * vec4d(view_.eye + t * pixels.worldDirection[ray], 1.0);
+    return static_cast<float>(std::clamp(0.5 * (clip.z / clip.w) + 0.5, 0.0, 1.0));
+}
+
+} // namespace brickwall

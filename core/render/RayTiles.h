@@ -1,0 +1,72 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "brickwall/core/base/Box.h"
+#include "brickwall/core/render/View.h"
+#include "brickwall/core/trace/TraceTile.h"
+
+#include <array>
+
+namespace brickwall {
+
+/// The pixels of a tile in the order of its rays, and what is needed to get from a distance along a ray back to the
+/// world.
+struct TilePixels
+{
+    static constexpr int width = 16; ///< of a tile; its height, too
+    static_assert(width * width == RayTile::capacity);
+
+    int count = 0;
+    std::array<int, RayTile::capacity> x; ///< in the frame
+    std::array<int, RayTile::capacity> y;
+    std::array<vec3d, RayTile::capacity> worldDirection; ///< as of `rayDirection`, not normalised
+    std::array<double, RayTile::capacity> voxelLength;   ///< of that direction in voxel space
+};
+
+/// The rays of a view through data with these bounds, computed in double, per pixel from nothing but its position on
+/// the screen: tiles of a screen have the rays of the whole, bit for bit.
+class ViewRays
+{
+public:
+    /// `halfBounds` in half voxels. Throws Error for a view that is not finite, has no pixels, or whose eye is not in
+    /// front of its screen.
+    ViewRays(const View& view, const Box3i& halfBounds, const mat4d& worldFromVoxel, bool interleave);
+
+    /// Half voxels; the eye, or the point of the bounds nearest to it: floats are relative to this.
+    const vec3i& origin() const { return origin_; }
+    const View& view() const { return view_; }
+
+    /// Rays of the tile at (x, y) of the frame, clipped to its edges, and to the data's bounds. Neighbouring rays are
+    /// neighbours on the screen, in blocks of 2 x 2, 4 x 2, 4 x 4 and so on.
+    void fill(int x, int y, TilePixels& pixels, RayTile& rays) const;
+    /// Ends the ray at a hit at `t` along its worldDirection.
+    void endAt(int ray, double t, const TilePixels& pixels, RayTile& rays) const;
+
+    /// Ray parameters: the one of RayTile (voxels) from the one of worldDirection, and back.
+    double tileFromWorld(int ray, double t, const TilePixels& pixels) const
+    {
+        return t * pixels.voxelLength[ray] - start_;
+    }
+    double worldFromTile(int ray, double t, const TilePixels& pixels) const
+    {
+        return (t + start_) / pixels.voxelLength[ray];
+    }
+
+    /// The window depth in [0, 1] of the point at `t` along a ray's worldDirection.
+    float depthAt(int ray, double t, const TilePixels& pixels) const;
+
+private:
+    void setRay(int ray, const vec3d& direction, RayTile& rays) const;
+
+    View view_;
+    Box3d bounds_; ///< voxels
+    bool interleave_;
+    vec3d eye_; ///< voxel space, as the next three
+    vec3d toLowerLeft_;
+    vec3d right_;
+    vec3d up_;
+    vec3i origin_;
+    double start_ = 0.0; ///< distance from the eye at which the rays' parameters start: no data is nearer
+};
+
+} // namespace brickwall

@@ -1,0 +1,183 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#include "brickwall/core/render/Renderer.h"
+
+#include "brickwall/core/base/Error.h"
+#include "brickwall/core/render/TileRenderer.h"
+#include "brickwall/core/simd/Target.h"
+#include "brickwall/core/trace/BrickLimits.h"
+#include "brickwall/core/trace/VisibleNodes.h"
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+namespace brickwall {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Entries at t = i / 1016: the 128 points of an ExaBrick transfer function, at k / 127, fall on every eighth.
+constexpr int tableSize = 8 * 127 + 1;
+
+void checkScene(const Scene& scene)
+{
+    if (!scene.regions || !scene.field)
+        throw Error("scene", "expected regions and a field, found none");
+    if (scene.field->values.size() != scene.regions->paddedCellCount ||
+        scene.field->regionRanges.size() != scene.regions->regions.size())
+        throw Error("scene", "the field belongs to other regions: pad it for these");
+    checkBrickSizes(*scene.regions);
+}
+
+/// Ray parameters are floats: steps have to be more than their rounding, or a ray would stand still.
+void checkMidpoint(const MidpointConfig& config, const Box3i& halfBounds)
+{
+    const double extent = 0.5 * glm::length(vec3d(halfBounds.extent()));
+    const double least = extent * 0x1p-22;
+    if (!(config.dt > least) || !std::isfinite(config.dt))
+        throw Error("dt", fmt::format("expected a step of more than {:.2g} cells for data of this extent, found {:g}",
+                                      least, config.dt));
+    if (!(config.terminationOpacity > 0.0f && config.terminationOpacity <= 1.0f))
+        throw Error("termination opacity",
+                    fmt::format("expected more than 0 and at most 1, found {:g}", config.terminationOpacity));
+}
+
+std::array<float, 6> gradientMetric(const mat4d& worldFromVoxel)
+{
+    const glm::dmat3 inverse = glm::inverse(glm::dmat3(worldFromVoxel));
+    const glm::dmat3 g = inverse * glm::transpose(inverse);
+    return {float(g[0][0]), float(g[1][1]), float(g[2][2]), float(g[0][1]), float(g[0][2]), float(g[1][2])};
+}
+
+Frame emptyFrame(const View& view)
+{
+    Frame frame{view, view.window.width, view.window.height, {}, {}};
+    const std::size_t pixels = std::size_t(frame.width) * frame.height;
+    frame.color.resize(pixels, vec4f(0.0f));
+    frame.depth.resize(pixels, 1.0f);
+    return frame;
+}
+
+struct Tile
+{
+    std::size_t view;
+    int x, y; ///< in the frame
+};
+
+std::vector<Tile> tilesOf(const std::vector<Frame>& frames)
+{
+    std::vector<Tile> tiles;
+    for (std::size_t i = 0; i < frames.size(); ++i)
+        for (int y = 0; y < frames[i].height; y += TilePixels::width)
+            for (int x = 0; x < frames[i].width; x += TilePixels::width)
+                tiles.push_back({i, x, y});
+    return tiles;
+}
+
+struct Counters
+{
+    std::atomic<std::uint64_t> samples{0};
+    std::atomic<std::uint64_t> regionsVisited{0};
+    std::atomic<std::int64_t> nanoseconds{0}; ///< of all threads
+};
+
+} // namespace
+
+struct Renderer::State
+{
+    Scene scene;
+    const Executor& executor;
+    TransferTable table;
+    std::vector<KdNode> nodes; ///< of the tree, without what the transfer function hides
+
+    TraceScene traceScene() const
+    {
+        TraceScene s;
+        s.regions = scene.regions.get();
+        s.nodes = nodes;
+        s.field = scene.field.get();
+        s.table = &table;
+        s.gradientMetric = gradientMetric(scene.worldFromVoxel);
+        return s;
+    }
+};
+
+Renderer::Renderer(Scene scene, const Executor& executor)
+{
+    checkScene(scene);
+    const TransferFunction transferFunction = scene.transferFunction;
+    state_ = std::make_unique<State>(State{std::move(scene), executor, {}, {}});
+    setTransferFunction(transferFunction);
+}
+
+Renderer::~Renderer() = default;
+
+const Scene& Renderer::scene() const
+{
+    return state_->scene;
+}
+
+void Renderer::setTransferFunction(const TransferFunction& transferFunction)
+{
+    TransferTable table = tabulate(transferFunction, tableSize);
+    state_->nodes = visibleNodes(*state_->scene.regions, *state_->scene.field, table, state_->executor);
+    state_->table = std::move(table);
+    state_->scene.transferFunction = transferFunction;
+}
+
+std::vector<Frame> Renderer::render(std::span<const View> views, const RenderSettings& settings, Progress& progress,
+                                    std::vector<ViewStatistics>* statistics) const
+{
+    const Scene& scene = state_->scene;
+    checkMidpoint(settings.midpoint, scene.regions->bounds);
+    std::vector<TileRenderer> renderers;
+    std::vector<Frame> frames;
+    for (const View& view : views) {
+        renderers.emplace_back(
+            ViewRays(view, scene.regions->bounds, scene.worldFromVoxel, settings.midpoint.interleave),
+            state_->traceScene(), scene.triangles.get(), settings);
+        frames.push_back(emptyFrame(view));
+    }
+
+    const std::vector<Tile> tiles = tilesOf(frames);
+    std::vector<Counters> counters(views.size());
+    progress.begin("rendering", tiles.size());
+    state_->executor.forEach(tiles.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            progress.check();
+            const Tile& tile = tiles[i];
+            const auto tileStart = Clock::now();
+            const TileCounts counts = renderers[tile.view].render(tile.x, tile.y, frames[tile.view]);
+            counters[tile.view].nanoseconds += std::chrono::nanoseconds(Clock::now() - tileStart).count();
+            counters[tile.view].samples += counts.samples;
+            counters[tile.view].regionsVisited += counts.regionsVisited;
+            progress.advance(1);
+        }
+    });
+    progress.end();
+
+    if (statistics) {
+        statistics->clear();
+        for (std::size_t i = 0; i < views.size(); ++i)
+            statistics->push_back({views[i].name, counters[i].nanoseconds / 1e6 / state_->executor.threads(),
+                                   frames[i].color.size(), counters[i].samples, counters[i].regionsVisited});
+    }
+    return frames;
+}
+
+int Renderer::lanes()
+{
+    return laneCount();
+}
+
+std::string Renderer::target()
+{
+    return laneTarget();
+}
+
+} // namespace brickwall
