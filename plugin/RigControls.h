@@ -1,0 +1,41 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "brickwall/plugin/RigNavigation.h"
+#include "brickwall/plugin/RigWindows.h"
+
+#include <osgGA/GUIEventHandler>
+
+namespace brickwall {
+
+/// Mouse and keyboard of the rig viewer: turns them into movements of a RigNavigation, in the axes of the screen that
+/// the window under the pointer shows.
+class RigControls : public osgGA::GUIEventHandler
+{
+public:
+    /// All have to outlive the viewer's event traversals. `rig` is read anew at every event.
+    RigControls(const Rig& rig, RigWindows& windows, RigNavigation& navigation)
+        : rig_(rig), windows_(windows), navigation_(navigation)
+    {
+    }
+
+    using osgGA::GUIEventHandler::handle;
+    bool handle(const osgGA::GUIEventAdapter& event, osgGA::GUIActionAdapter& action) override;
+
+private:
+    bool key(const osgGA::GUIEventAdapter& event);
+    bool headKey(int key, bool shift);
+    bool drag(const osgGA::GUIEventAdapter& event);
+    void remember(const osgGA::GUIEventAdapter& event);
+    void rememberWindow(const osgGA::GUIEventAdapter& event);
+
+    const Rig& rig_;
+    RigWindows& windows_;
+    RigNavigation& navigation_;
+    double lastX_ = 0.0;
+    double lastY_ = 0.0; ///< upwards
+    int window_ = 0;     ///< that the pointer was last seen in; OSG does not tell it with every event
+    bool helpShown_ = false;
+};
+
+} // namespace brickwall

@@ -1,0 +1,48 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#include "brickwall/plugin/ViewportQuad.h"
+
+namespace brickwall {
+namespace {
+
+constexpr unsigned cornerAttribute = 0;
+
+constexpr const char* vertexSource = R"(#version 120
+attribute vec2 corner;
+varying vec2 texel;
+
+void main()
+{
+    texel = 0.5 * corner + 0.5;
+    gl_Position = vec4(corner, 0.0, 1.0);
+}
+)";
+
+} // namespace
+
+osg::ref_ptr<osg::Geometry> makeViewportQuad()
+{
+    osg::ref_ptr<osg::Vec2Array> corners = new osg::Vec2Array(osg::Array::BIND_PER_VERTEX);
+    for (const osg::Vec2& corner : {osg::Vec2(-1, -1), osg::Vec2(1, -1), osg::Vec2(-1, 1), osg::Vec2(1, 1)})
+        corners->push_back(corner);
+    osg::ref_ptr<osg::Geometry> quad = new osg::Geometry;
+    quad->setUseDisplayList(false);
+    quad->setUseVertexBufferObjects(true);
+    quad->setVertexAttribArray(cornerAttribute, corners);
+    quad->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLE_STRIP, 0, 4));
+    quad->setComputeBoundingBoxCallback(new osg::Drawable::ComputeBoundingBoxCallback);
+    quad->setCullingActive(false);
+    quad->setDataVariance(osg::Object::DYNAMIC);
+    return quad;
+}
+
+osg::ref_ptr<osg::Program> makeViewportProgram(const char* name, const char* fragmentSource)
+{
+    osg::ref_ptr<osg::Program> program = new osg::Program;
+    program->setName(name);
+    program->addShader(new osg::Shader(osg::Shader::VERTEX, vertexSource));
+    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, fragmentSource));
+    program->addBindAttribLocation("corner", cornerAttribute);
+    return program;
+}
+
+} // namespace brickwall
