@@ -1,0 +1,159 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#include "Commands.h"
+#include "RenderViews.h"
+#include "SceneSetup.h"
+#include "Statistics.h"
+#include "Stopwatch.h"
+#include "TerminalProgress.h"
+
+#include "brickwall/core/render/ImageFiles.h"
+#include "brickwall/core/render/Legend.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <utility>
+
+namespace brickwall {
+namespace {
+
+struct Options
+{
+    SceneOptions scene;
+    ViewOptions views;
+    std::string out;
+    std::vector<std::string> formats{"png"};
+    bool legend = false;
+    int repeat = 1;
+    std::string stats;
+};
+
+/// Names of channels and views may hold anything; those of files may not.
+std::string fileName(std::string name)
+{
+    std::replace_if(
+        name.begin(), name.end(),
+        [](unsigned char c) { return !(std::isalnum(c) || c == '-' || c == '_' || c == '.'); }, '_');
+    return name.empty() || name.front() == '.' ? "_" + name : name;
+}
+
+std::vector<std::string> fileNames(const std::vector<View>& views)
+{
+    std::vector<std::string> names;
+    for (const View& view : views) {
+        names.push_back(fileName(view.name));
+        if (std::count(names.begin(), names.end(), names.back()) > 1)
+            throw Error(view.name, "two views would be written to the same file");
+    }
+    return names;
+}
+
+void makeFolder(const std::string& folder)
+{
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+        throw Error(folder, fmt::format("cannot be made: {}", error.message()));
+}
+
+/// What would make the work futile is found before it.
+void checkOutputs(const Options& options)
+{
+    const auto& formats = options.formats;
+    if (options.legend && std::find(formats.begin(), formats.end(), "png") == formats.end())
+        throw Error("--legend", "is drawn into the PNG; add png to --format");
+    if (options.out.empty())
+        throw Error("--out", "expected a folder, found nothing");
+    makeFolder(options.out);
+    if (options.stats.empty())
+        return;
+    const std::filesystem::path folder = std::filesystem::path(options.stats).parent_path();
+    if (std::filesystem::is_directory(options.stats))
+        throw Error("--stats", fmt::format("{} is a folder; expected a file", options.stats));
+    if (!folder.empty() && !std::filesystem::is_directory(folder))
+        throw Error("--stats",
+                    fmt::format("{} cannot be written: there is no folder {}", options.stats, folder.string()));
+}
+
+void writeFrame(const Frame& frame, const Options& options, const PreparedScene& prepared, const vec3f& background,
+                const std::string& stem)
+{
+    for (const std::string& format : options.formats) {
+        if (format == "exr") {
+            writeExr(frame, stem + ".exr");
+            continue;
+        }
+        Image image = imageOver(frame, background);
+        if (options.legend)
+            drawLegend(image, prepared.scene.transferFunction, prepared.field, prepared.unit);
+        writePng(image, stem + ".png");
+    }
+}
+
+int render(const Options& options)
+{
+    const ViewsForBounds viewsForBounds = readViews(options.views);
+    checkOutputs(options);
+    TerminalProgress progress;
+    const Executor executor(options.scene.threads);
+    const PreparedScene prepared = prepareScene(options.scene, executor, progress);
+    const ViewsToRender toRender = viewsForBounds(prepared.bounds, progress);
+    const std::vector<std::string> stems = fileNames(toRender.views);
+    const RenderSettings settings = renderSettings(options.scene);
+    const vec3f background = backgroundColor(options.scene, toRender.background);
+
+    const Renderer renderer(prepared.scene, executor);
+    std::vector<Frame> frames;
+    RenderStatistics statistics;
+    for (int i = 0; i < options.repeat; ++i) {
+        const Stopwatch stopwatch;
+        std::vector<ViewStatistics> views;
+        frames = renderer.render(toRender.views, settings, progress, &views);
+        statistics.totalMilliseconds.push_back(stopwatch.milliseconds());
+        statistics.repetitions.push_back(std::move(views));
+    }
+    progress.begin("writing images", frames.size());
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        progress.check();
+        writeFrame(frames[i], options, prepared, background, (std::filesystem::path(options.out) / stems[i]).string());
+        progress.advance(1);
+    }
+    progress.end();
+    if (!options.stats.empty())
+        writeStatistics(options.stats, statistics, options.scene, prepared, frames, executor.threads());
+    printSummary(statistics, prepared, frames.size(), options.out);
+    return 0;
+}
+
+} // namespace
+
+void addRenderCommand(CLI::App& app, Action& chosen)
+{
+    CLI::App* command = app.add_subcommand("render", "pictures of every view, as PNG or EXR");
+    auto options = std::make_shared<Options>();
+    addDataOption(*command, options->scene);
+    command->add_option("--out", options->out, "the folder for the pictures, named after channel and eye")->required();
+    command->add_option("--rig", options->views.rig,
+                        "a display configuration: a file, or desktop, stereo-wall, cave5, tiled-wall");
+    command->add_option("--views", options->views.viewFile, "JSON with camera matrices");
+    command->add_option("--size", options->views.size, "WxH of every view (default 1024x1024, or the rig's)");
+    command->add_option("--camera", options->views.camera, "ex,ey,ez,ax,ay,az,ux,uy,uz: eye, point looked at, up")
+        ->delimiter(',')
+        ->expected(9);
+    command->add_option("--fov", options->views.fov, "vertical opening angle for --camera in degrees (default 60)")
+        ->check(CLI::Range(0.1, 179.0))
+        ->needs("--camera");
+    addSceneOptions(*command, options->scene);
+    command->add_option("--format", options->formats, "png, exr or both: png,exr (default png)")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"png", "exr"}));
+    command->add_flag("--legend", options->legend, "draw the colour bar into the PNG");
+    command->add_option("--repeat", options->repeat, "render N times, for --stats")->check(CLI::Range(1, 100000));
+    command->add_option("--stats", options->stats, "write times, samples and regions to this JSON file");
+    command->callback([options, &chosen] { chosen = [options] { return render(*options); }; });
+}
+
+} // namespace brickwall

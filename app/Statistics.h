@@ -1,0 +1,28 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "SceneSetup.h"
+
+#include <string>
+#include <vector>
+
+namespace brickwall {
+
+/// Of one call of `render`: every repetition of every view.
+struct RenderStatistics
+{
+    std::vector<double> totalMilliseconds;                ///< one per repetition
+    std::vector<std::vector<ViewStatistics>> repetitions; ///< [repetition][view]
+};
+
+double median(std::vector<double> values);
+
+/// The JSON of `--stats` (docs/command.md describes its keys). Written to a temporary name and renamed when whole.
+void writeStatistics(const std::string& path, const RenderStatistics& statistics, const SceneOptions& options,
+                     const PreparedScene& prepared, const std::vector<Frame>& frames, int threads);
+
+/// A few lines for people.
+void printSummary(const RenderStatistics& statistics, const PreparedScene& prepared, std::size_t views,
+                  const std::string& folder);
+
+} // namespace brickwall

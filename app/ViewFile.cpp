@@ -1,0 +1,258 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#include "ViewFile.h"
+
+#include "brickwall/core/base/WholeFile.h"
+#include "brickwall/core/render/Compare.h"
+#include "brickwall/core/render/ImageFiles.h"
+#include "brickwall/core/shade/ColorMaps.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <set>
+#include <utility>
+
+namespace brickwall {
+namespace {
+
+using nlohmann::json;
+
+constexpr int largestSize = 32768;
+
+/// An object of the file with its place, so that every message says where it is.
+class Node
+{
+public:
+    Node(const json& value, std::string place, std::initializer_list<const char*> keys)
+        : value_(value), place_(std::move(place))
+    {
+        if (!value.is_object())
+            throw Error(place_, fmt::format("expected an object, found {}", value.type_name()));
+        const std::set<std::string> known(keys.begin(), keys.end());
+        for (const auto& [key, unused] : value.items())
+            if (!known.contains(key))
+                throw Error(place_, fmt::format("unknown key \"{}\"; known: {}", key, fmt::join(known, ", ")));
+    }
+
+    const std::string& place() const { return place_; }
+    bool has(const char* key) const { return value_.contains(key); }
+    const json& at(const char* key) const
+    {
+        if (!has(key))
+            throw Error(place_, fmt::format("\"{}\" is missing", key));
+        return value_.at(key);
+    }
+    template <class T>
+    T get(const char* key) const
+    {
+        try {
+            return at(key).get<T>();
+        } catch (const json::exception&) {
+            throw Error(place_, fmt::format("\"{}\" has the wrong type, found {}", key, at(key).dump()));
+        }
+    }
+    template <class T>
+    void maybe(const char* key, T& target) const
+    {
+        if (has(key))
+            target = get<T>(key);
+    }
+    void maybe(const char* key, std::optional<double>& target) const
+    {
+        if (has(key))
+            target = get<double>(key);
+    }
+
+private:
+    const json& value_;
+    std::string place_;
+};
+
+mat4d matrixOf(const Node& node, const char* key)
+{
+    const auto numbers = node.get<std::vector<double>>(key);
+    if (numbers.size() != 16)
+        throw Error(node.place(), fmt::format("\"{}\" needs 16 numbers (column-major), found {}", key, numbers.size()));
+    mat4d m;
+    for (int i = 0; i < 16; ++i)
+        m[i / 4][i % 4] = numbers[static_cast<std::size_t>(i)];
+    return m;
+}
+
+int sizeOf(const Node& node, const char* key)
+{
+    const auto n = node.get<double>(key);
+    if (!(n >= 1.0 && n <= largestSize) || n != std::floor(n))
+        throw Error(node.place(),
+                    fmt::format("\"{}\" must be a whole number from 1 to {}, found {}", key, largestSize, n));
+    return static_cast<int>(n);
+}
+
+ExpectedHit hitOf(const json& value, const std::string& place, const View& view)
+{
+    const Node node(value, place, {"pixel", "depth", "tolerance"});
+    const auto pixel = node.get<std::vector<int>>("pixel");
+    if (pixel.size() != 2 || pixel[0] < 0 || pixel[1] < 0 || pixel[0] >= view.window.width ||
+        pixel[1] >= view.window.height)
+        throw Error(place, fmt::format("\"pixel\" must be [x, y] inside the view, found {}", node.at("pixel").dump()));
+    ExpectedHit hit{pixel[0], pixel[1], node.get<double>("depth")};
+    node.maybe("tolerance", hit.tolerance);
+    return hit;
+}
+
+Expectation expectationOf(const json& value, const std::string& place, const std::filesystem::path& folder,
+                          const View& view)
+{
+    const Node node(value, place, {"image", "mean", "max", "psnr", "alpha_sum", "alpha_tolerance", "hit", "hits"});
+    Expectation expect;
+    if (node.has("image"))
+        expect.image = (folder / node.get<std::string>("image")).string();
+    node.maybe("mean", expect.meanDifference);
+    node.maybe("max", expect.maxDifference);
+    node.maybe("psnr", expect.psnr);
+    if (expect.image.empty() && (expect.meanDifference || expect.maxDifference || expect.psnr))
+        throw Error(place, "mean, max and psnr need an \"image\" to compare with");
+    if (!expect.image.empty() && !expect.meanDifference && !expect.maxDifference && !expect.psnr)
+        throw Error(place, "an \"image\" needs \"mean\", \"max\" or \"psnr\": how close it has to be");
+    node.maybe("alpha_sum", expect.alphaSum);
+    node.maybe("alpha_tolerance", expect.alphaTolerance);
+    if (node.has("hit"))
+        expect.hits.push_back(hitOf(node.at("hit"), place + " hit", view));
+    if (node.has("hits"))
+        for (const json& hit : node.at("hits"))
+            expect.hits.push_back(hitOf(hit, place + " hits", view));
+    return expect;
+}
+
+ScriptedView viewOf(const json& value, const std::string& place, const std::filesystem::path& folder)
+{
+    const Node node(value, place, {"name", "width", "height", "modelview", "projection", "expect"});
+    const auto name = node.get<std::string>("name");
+    const mat4d modelview = matrixOf(node, "modelview"), projection = matrixOf(node, "projection");
+    const int width = sizeOf(node, "width"), height = sizeOf(node, "height");
+    ScriptedView scripted;
+    try {
+        scripted.view = viewOfMatrices(name, modelview, projection, width, height);
+    } catch (const Error& error) { // it knows the view, but not the file
+        throw Error(place, error.what());
+    }
+    if (node.has("expect"))
+        scripted.expect = expectationOf(node.at("expect"), fmt::format("{} expect", place), folder, scripted.view);
+    return scripted;
+}
+
+json parse(const std::string& path)
+{
+    try {
+        return json::parse(readWholeFile(path));
+    } catch (const json::exception& error) {
+        throw Error(path, error.what());
+    }
+}
+
+/// What the command line checks for `render`, with the file as the place.
+void checkScene(const SceneOptions& scene, const std::string& place)
+{
+    const auto refuse = [&](const char* key, const std::string& expected) {
+        throw Error(place, fmt::format("\"{}\" must be {}", key, expected));
+    };
+    const auto isPositive = [](double value) { return value > 0.0 && std::isfinite(value); };
+    if (!scene.range.empty() && (scene.range.size() != 2 || !(scene.range[0] < scene.range[1])))
+        refuse("range", fmt::format("[lo, hi] with lo < hi, found [{}]", fmt::join(scene.range, ", ")));
+    if (!isPositive(scene.opacityScale))
+        refuse("opacity_scale", fmt::format("above 0, found {}", scene.opacityScale));
+    if (!isPositive(scene.dt))
+        refuse("dt", fmt::format("above 0, found {}", scene.dt));
+    if (scene.shading != "headlight" && scene.shading != "off")
+        refuse("shading", fmt::format("headlight or off, found {}", scene.shading));
+    if (scene.method != "midpoint")
+        refuse("method", fmt::format("midpoint, found {}", scene.method));
+    try {
+        if (!scene.colorMap.empty())
+            colorMap(scene.colorMap);
+    } catch (const Error& error) {
+        throw Error(place, error.what());
+    }
+}
+
+std::string check(const char* what, double found, double limit, bool atMost)
+{
+    // Written so that a NaN fails either way.
+    if (atMost ? found <= limit : found >= limit)
+        return {};
+    return fmt::format("{} is {:.6g}, expected at {} {:.6g}", what, found, atMost ? "most" : "least", limit);
+}
+
+} // namespace
+
+ViewFile readViewFile(const std::string& path)
+{
+    const json root = parse(path);
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    const Node node(root, path,
+                    {"data", "field", "tf", "colormap", "range", "opacity_scale", "shading", "method", "dt", "views"});
+    ViewFile file;
+    file.path = path;
+    node.maybe("data", file.scene.data);
+    if (!file.scene.data.empty() && file.scene.data.rfind("sample:", 0) != 0)
+        file.scene.data = (folder / file.scene.data).string();
+    node.maybe("field", file.scene.field);
+    if (node.has("tf"))
+        file.scene.transferFunction = (folder / node.get<std::string>("tf")).string();
+    node.maybe("colormap", file.scene.colorMap);
+    node.maybe("range", file.scene.range);
+    node.maybe("opacity_scale", file.scene.opacityScale);
+    node.maybe("shading", file.scene.shading);
+    node.maybe("method", file.scene.method);
+    node.maybe("dt", file.scene.dt);
+    checkScene(file.scene, path);
+
+    const json& views = node.at("views");
+    if (!views.is_array() || views.empty())
+        throw Error(path, "\"views\" must be a list of at least one view");
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        const std::string place = fmt::format("{}: view {}", path, i);
+        file.views.push_back(viewOf(views[i], place, folder));
+        if (!names.insert(file.views.back().view.name).second)
+            throw Error(place, fmt::format("the name \"{}\" is there twice", file.views.back().view.name));
+    }
+    return file;
+}
+
+std::vector<std::string> failuresOf(const Expectation& expect, const Frame& frame)
+{
+    std::vector<std::string> failures;
+    const auto add = [&](std::string line) {
+        if (!line.empty())
+            failures.push_back(std::move(line));
+    };
+    if (!expect.image.empty()) {
+        const FrameDifference difference = compareFrames(frame, readExr(expect.image));
+        if (expect.meanDifference)
+            add(check("mean difference", difference.mean, *expect.meanDifference, true));
+        if (expect.maxDifference)
+            add(check("largest difference", difference.max, *expect.maxDifference, true));
+        if (expect.psnr)
+            add(check("PSNR", difference.psnr, *expect.psnr, false));
+    }
+    if (expect.alphaSum) {
+        double sum = 0.0;
+        for (const vec4f& c : frame.color)
+            sum += c.a;
+        const double allowed = expect.alphaTolerance * std::abs(*expect.alphaSum);
+        if (!(std::abs(sum - *expect.alphaSum) <= allowed))
+            add(fmt::format("sum of alpha is {:.6g}, expected {:.6g} +- {:.3g}", sum, *expect.alphaSum, allowed));
+    }
+    for (const ExpectedHit& hit : expect.hits) {
+        const double depth = frame.depth[frame.index(hit.x, hit.y)];
+        if (!(std::abs(depth - hit.depth) <= hit.tolerance))
+            add(fmt::format("depth at pixel {}, {} is {:.7g}, expected {:.7g} +- {:.3g}", hit.x, hit.y, depth,
+                            hit.depth, hit.tolerance));
+    }
+    return failures;
+}
+
+} // namespace brickwall
