@@ -29,9 +29,10 @@ inline Model loadData(const std::string& data, std::vector<std::string> fields =
     return set->load(fields.empty() ? set->fieldNames() : fields, Executor(threads), silent);
 }
 
+/// By one thread: where a file is broken in several places, several threads may find another one first.
 inline std::string loadError(const std::string& data)
 {
-    return errorOf([&] { loadData(data); });
+    return errorOf([&] { loadData(data, {}, 1); });
 }
 
 /// True, or what is missing: the message names all of these, in one line.
