@@ -24,7 +24,7 @@ using Knots = std::array<double, knotCount>;
 constexpr double hazeDepth = 0.01;
 /// The largest optical depth of what is shown, were it all gathered in one cube: thin shells in a large domain would
 /// otherwise be walls, because they alone have to make up the mean depth.
-constexpr double gatheredDepth = 9.0;
+constexpr double gatheredDepth = 4.0;
 /// Per finest cell; more is a solid wall on any screen.
 constexpr double largestExtinction = 5.0;
 /// How rare a value is counts down to this part of the most common one.
