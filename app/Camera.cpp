@@ -1,6 +1,7 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "Camera.h"
 
+#include "brickwall/core/base/BoxCorners.h"
 #include "brickwall/core/base/Error.h"
 
 #include <fmt/format.h>
@@ -17,15 +18,6 @@ namespace {
 constexpr double overviewFov = 28.0;     // degrees
 constexpr double overviewMargin = 1.02;  // room around the box
 constexpr double nearestFraction = 1e-3; // of the data's size: how near the near plane comes to an eye inside the data
-
-std::vector<vec3d> corners(const Box3d& b)
-{
-    std::vector<vec3d> points;
-    for (int i = 0; i < 8; ++i)
-        points.emplace_back(i & 1 ? b.upper.x : b.lower.x, i & 2 ? b.upper.y : b.lower.y,
-                            i & 4 ? b.upper.z : b.lower.z);
-    return points;
-}
 
 View lookAt(const vec3d& eye, const vec3d& at, const vec3d& up, double fov, const Box3d& bounds, const PixelSize& size)
 {
@@ -63,7 +55,7 @@ View overview(const Box3d& bounds, const PixelSize& size)
     const double tanRight = tanUp * size.width / size.height;
 
     double distance = 0.0; // at which every corner is inside the frustum
-    for (const vec3d& corner : corners(bounds)) {
+    for (const vec3d& corner : cornersOf(bounds)) {
         const vec3d p = corner - center;
         const double needed = std::max(std::abs(glm::dot(p, right)) / tanRight, std::abs(glm::dot(p, up)) / tanUp);
         distance = std::max(distance, glm::dot(p, towardsEye) + overviewMargin * needed);

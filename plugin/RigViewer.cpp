@@ -1,6 +1,7 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "brickwall/plugin/RigViewer.h"
 
+#include "brickwall/core/base/BoxCorners.h"
 #include "brickwall/core/base/Error.h"
 #include "brickwall/plugin/Pictures.h"
 #include "brickwall/plugin/RigControls.h"
@@ -186,13 +187,7 @@ Box3d worldBounds(const Scene& scene)
     Box3i voxels;
     for (const PaddedBrick& brick : scene.regions->bricks)
         voxels.extend({brick.lower, brick.lower + brick.size * brick.cellWidth()});
-    Box3d world;
-    for (int corner = 0; corner < 8; ++corner) {
-        const vec3i p(corner & 1 ? voxels.upper.x : voxels.lower.x, corner & 2 ? voxels.upper.y : voxels.lower.y,
-                      corner & 4 ? voxels.upper.z : voxels.lower.z);
-        world.extend(transformPoint(scene.worldFromVoxel, vec3d(p)));
-    }
-    return world;
+    return boundsOfTransformed(scene.worldFromVoxel, {vec3d(voxels.lower), vec3d(voxels.upper)});
 }
 
 } // namespace brickwall

@@ -1,7 +1,7 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "brickwall/core/base/Executor.h"
 
-#include "brickwall/core/base/Error.h"
+#include "brickwall/core/base/ThreadCount.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
@@ -11,8 +11,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <string>
-#include <thread>
 
 namespace brickwall {
 
@@ -32,10 +30,7 @@ struct Executor::Arena
 
 Executor::Executor(int threads)
 {
-    if (threads < 0)
-        throw Error("threads", "expected 0 (one per core) or a positive count, found " + std::to_string(threads));
-    const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    arena_ = std::make_unique<Arena>(threads == 0 ? cores : threads, cores);
+    arena_ = std::make_unique<Arena>(threadCount(threads), coreCount());
 }
 
 Executor::~Executor() = default;

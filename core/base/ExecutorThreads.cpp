@@ -1,13 +1,12 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "brickwall/core/base/Executor.h"
 
-#include "brickwall/core/base/Error.h"
+#include "brickwall/core/base/ThreadCount.h"
 
 #include <algorithm>
 #include <atomic>
 #include <exception>
 #include <mutex>
-#include <string>
 #include <thread>
 #include <vector>
 
@@ -64,10 +63,7 @@ private:
 
 Executor::Executor(int threads)
 {
-    if (threads < 0)
-        throw Error("threads", "expected 0 (one per core) or a positive count, found " + std::to_string(threads));
-    const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    arena_ = std::make_unique<Arena>(threads == 0 ? cores : threads);
+    arena_ = std::make_unique<Arena>(threadCount(threads));
 }
 
 Executor::~Executor() = default;

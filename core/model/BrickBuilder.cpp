@@ -131,23 +131,20 @@ std::size_t positionOf(std::span<const CellKey> keys, const vec3i& lower, int le
 void checkLevelsDisjoint(std::span<const Brick> bricks, std::span<const CellKey> keys, std::span<const Cell> cells,
                          std::string_view place)
 {
-    const BrickIndex index(bricks);
-    for (std::size_t i = 0; i < bricks.size(); ++i)
-        index.overlapping(bricks[i].box(), [&](std::uint32_t j, const Box3i& box) {
-            if (j == i)
-                return;
-            const vec3i p = glm::max(bricks[i].lower, box.lower);
-            const auto recordAt = [&](const Brick& b) {
-                const vec3i lower = p - ((p - b.lower) & (b.cellWidth() - 1));
-                return keys[positionOf(keys, lower, b.level)].record;
-            };
-            const std::uint32_t a = recordAt(bricks[i]), b = recordAt(bricks[j]);
-            throw Error(place,
-                        fmt::format("expected leaf cells only, found that {} and {} overlap at voxel {} {} {}; leave "
-                                    "out the coarser of the two",
-                                    described(cells[std::min(a, b)], std::min(a, b)),
-                                    described(cells[std::max(a, b)], std::max(a, b)), p.x, p.y, p.z));
-        });
+    const auto overlap = findOverlap(bricks);
+    if (!overlap)
+        return;
+    const Brick &first = bricks[overlap->first], &second = bricks[overlap->second];
+    const vec3i p = glm::max(first.lower, second.lower);
+    const auto recordAt = [&](const Brick& b) {
+        const vec3i lower = p - ((p - b.lower) & (b.cellWidth() - 1));
+        return keys[positionOf(keys, lower, b.level)].record;
+    };
+    const std::uint32_t a = recordAt(first), b = recordAt(second);
+    throw Error(place, fmt::format("expected leaf cells only, found that {} and {} overlap at voxel {} {} {}; leave "
+                                   "out the coarser of the two",
+                                   described(cells[std::min(a, b)], std::min(a, b)),
+                                   described(cells[std::max(a, b)], std::max(a, b)), p.x, p.y, p.z));
 }
 
 /// Calls body(brick, slot, lower corner) for every row along x of the bricks.

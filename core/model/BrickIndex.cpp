@@ -62,4 +62,19 @@ void BrickIndex::build(std::size_t node, std::uint32_t begin, std::uint32_t end,
     build(child + 1, middle, end, bricks);
 }
 
+std::optional<std::pair<std::size_t, std::size_t>> findOverlap(std::span<const Brick> bricks)
+{
+    const BrickIndex index(bricks);
+    for (std::size_t i = 0; i < bricks.size(); ++i) {
+        std::size_t other = bricks.size();
+        index.overlapping(bricks[i].box(), [&](std::uint32_t j, const Box3i&) {
+            if (j > i)
+                other = std::min<std::size_t>(other, j);
+        });
+        if (other < bricks.size())
+            return std::pair(i, other);
+    }
+    return std::nullopt;
+}
+
 } // namespace brickwall

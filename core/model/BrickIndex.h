@@ -4,7 +4,9 @@
 #include "brickwall/core/model/Model.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace brickwall {
@@ -55,5 +57,8 @@ private:
     std::vector<std::uint32_t> order_;
     std::vector<Box3i> boxes_; ///< in the order of order_
 };
+
+/// The first two bricks, by index, that have a common interior point.
+std::optional<std::pair<std::size_t, std::size_t>> findOverlap(std::span<const Brick> bricks);
 
 } // namespace brickwall

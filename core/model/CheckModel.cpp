@@ -44,16 +44,13 @@ std::string faultOf(const Brick& b, std::uint64_t begin)
 
 void checkDisjoint(std::span<const Brick> bricks, std::string_view place)
 {
-    const BrickIndex index(bricks);
-    for (std::size_t i = 0; i < bricks.size(); ++i)
-        index.overlapping(bricks[i].box(), [&](std::uint32_t j, const Box3i& box) {
-            if (j == i)
-                return;
-            const vec3i p = glm::max(bricks[i].lower, box.lower);
-            throw Error(place, fmt::format("expected disjoint bricks, found that {} and {} overlap at voxel {} {} {}",
-                                           described(bricks, std::min<std::size_t>(i, j)),
-                                           described(bricks, std::max<std::size_t>(i, j)), p.x, p.y, p.z));
-        });
+    const auto overlap = findOverlap(bricks);
+    if (!overlap)
+        return;
+    const auto [i, j] = *overlap;
+    const vec3i p = glm::max(bricks[i].lower, bricks[j].lower);
+    throw Error(place, fmt::format("expected disjoint bricks, found that {} and {} overlap at voxel {} {} {}",
+                                   described(bricks, i), described(bricks, j), p.x, p.y, p.z));
 }
 
 void checkValues(const Field& field, std::span<const Brick> bricks, std::string_view place)

@@ -192,17 +192,7 @@ std::vector<LeafBox> subtractBoxes(std::span<const Box3i> boxes, std::span<const
 
 std::optional<std::pair<std::size_t, std::size_t>> findOverlap(std::span<const Box3i> boxes)
 {
-    const BrickIndex index(asBricks(boxes));
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        std::size_t other = boxes.size();
-        index.overlapping(boxes[i], [&](std::uint32_t j, const Box3i&) {
-            if (j > i)
-                other = std::min<std::size_t>(other, j);
-        });
-        if (other < boxes.size())
-            return std::pair(i, other);
-    }
-    return std::nullopt;
+    return findOverlap(asBricks(boxes));
 }
 
 std::vector<LeafBox> leafBoxes(std::span<const OverlappingLevel> levels, const Executor& executor,

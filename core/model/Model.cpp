@@ -1,6 +1,7 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "brickwall/core/model/Model.h"
 
+#include "brickwall/core/base/BoxCorners.h"
 #include "brickwall/core/base/Error.h"
 
 #include <fmt/format.h>
@@ -21,16 +22,9 @@ Box3i voxelBounds(std::span<const Brick> bricks)
 Box3d worldBounds(const Model& model)
 {
     const Box3i voxels = voxelBounds(model.bricks);
-    Box3d world;
     if (voxels.empty())
-        return world;
-    for (int corner = 0; corner < 8; ++corner) {
-        vec3d p;
-        for (int a = 0; a < 3; ++a)
-            p[a] = (corner >> a & 1) ? voxels.upper[a] : voxels.lower[a];
-        world.extend(transformPoint(model.worldFromVoxel, p));
-    }
-    return world;
+        return {};
+    return boundsOfTransformed(model.worldFromVoxel, {vec3d(voxels.lower), vec3d(voxels.upper)});
 }
 
 std::vector<std::uint64_t> cellsPerLevel(std::span<const Brick> bricks)

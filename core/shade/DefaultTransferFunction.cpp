@@ -111,14 +111,20 @@ Knots rarity(const Knots& common)
     return result;
 }
 
-double depthOf(const Model& model, const Sample& sample, const TransferFunction& tf)
+/// The extinction of all cells together, each by its volume.
+double totalExtinction(const Sample& sample, const TransferFunction& tf)
 {
-    const Box3i box = voxelBounds(model.bricks);
-    const vec3d extent(box.extent());
     double sum = 0.0;
     for (const SampledCell& s : sample)
         sum += s.volume * extinctionAt(tf, s.value);
-    return sum / (extent.x * extent.y * extent.z) *
+    return sum;
+}
+
+/// The mean optical depth along the diagonal for a total extinction.
+double depthOf(const Model& model, double total)
+{
+    const vec3d extent(voxelBounds(model.bricks).extent());
+    return total / (extent.x * extent.y * extent.z) *
            std::sqrt(extent.x * extent.x + extent.y * extent.y + extent.z * extent.z);
 }
 
@@ -126,23 +132,21 @@ double depthOf(const Model& model, const Sample& sample, const TransferFunction&
 void setExtinction(TransferFunction& tf, const Knots& shape, const Model& model, const Sample& sample)
 {
     tf.kind = TransferFunction::Kind::extinction;
-    const auto depthWith = [&](double scale, double haze) {
+    const auto set = [&](double scale, double haze) {
         tf.opacity.clear();
         for (std::size_t i = 0; i < knotCount; ++i)
             tf.opacity.push_back(
                 {float(double(i) / (knotCount - 1)), float(std::min(shape[i] * scale + haze, largestExtinction))});
-        return depthOf(model, sample, tf);
     };
-    const double shapeDepth = depthWith(1.0, 0.0);
-    const double evenDepth = depthWith(0.0, 1.0);
+    set(1.0, 0.0);
+    const double shown = totalExtinction(sample, tf); // voxels, weighted by the shape
+    const double shapeDepth = depthOf(model, shown);
+    set(0.0, 1.0);
+    const double evenDepth = depthOf(model, totalExtinction(sample, tf));
     const bool flat = !(shapeDepth > 1e-6 * evenDepth); // nothing is rare: all of it is worth seeing
     const double haze = (flat ? defaultOpticalDepth : hazeDepth) / evenDepth;
-    depthWith(1.0, 0.0);
-    double shown = 0.0; // voxels, weighted by the shape
-    for (const SampledCell& s : sample)
-        shown += s.volume * extinctionAt(tf, s.value);
     const double scale = std::min((defaultOpticalDepth - hazeDepth) / shapeDepth, gatheredDepth / std::cbrt(shown));
-    depthWith(flat ? 0.0 : scale, haze);
+    set(flat ? 0.0 : scale, haze);
 }
 
 std::string explain(const Field& field, const TransferFunction& tf, const Knots& common, bool cut)
@@ -167,7 +171,7 @@ std::string explain(const Field& field, const TransferFunction& tf, const Knots&
 
 double meanOpticalDepth(const Model& model, const Field& field, const TransferFunction& tf)
 {
-    return depthOf(model, sampleCells(model, field, sampleSize), tf);
+    return depthOf(model, totalExtinction(sampleCells(model, field, sampleSize), tf));
 }
 
 DefaultChoice chooseTransferFunction(const Model& model, const Field& field, std::string_view colorMapName)
