@@ -110,7 +110,7 @@ void addSceneOptions(CLI::App& command, SceneOptions& options)
 RenderSettings renderSettings(const SceneOptions& options)
 {
     RenderSettings settings;
-    settings.midpoint.dt = static_cast<float>(options.dt);
+    settings.step.dt = static_cast<float>(options.dt);
     settings.shading = options.shading == "off" ? Shading::off : Shading::headlight;
     return settings;
 }

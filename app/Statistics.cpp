@@ -24,15 +24,15 @@ json viewJson(const RenderStatistics& statistics, const Frame& frame, std::size_
             {"height", frame.height},
             {"milliseconds", milliseconds},
             {"rays", last.rays},
-            {"samples", last.samples},
-            {"regions_visited", last.regionsVisited}};
+            {"samples", last.counts.samples},
+            {"regions_visited", last.counts.regionsVisited}};
 }
 
 std::uint64_t samplesOf(const std::vector<ViewStatistics>& views)
 {
     std::uint64_t samples = 0;
     for (const ViewStatistics& view : views)
-        samples += view.samples;
+        samples += view.counts.samples;
     return samples;
 }
 

@@ -73,22 +73,23 @@ TransferFunction translucent(const Data& data, float cut)
 void march(benchmark::State& state, const Data& (*source)(), Shading shading, float cut)
 {
     const Data& data = source();
-    const Renderer renderer({data.regions, data.padded, nullptr, translucent(data, cut), data.worldFromVoxel},
+    const Renderer renderer({data.regions, data.padded, nullptr, translucent(data, cut), data.worldFromVoxel, {}},
                             data.serial);
     const View view = viewOf(data, 512);
     RenderSettings settings;
+    settings.method = Method::midpoint;
     settings.shading = shading;
-    settings.midpoint.terminationOpacity = 1.0f;
+    settings.step.terminationOpacity = 1.0f;
     std::vector<ViewStatistics> statistics;
     Progress silent;
     for (auto _ : state)
         benchmark::DoNotOptimize(renderer.render({&view, 1}, settings, silent, &statistics));
     using benchmark::Counter;
     const auto runs = double(state.iterations());
-    state.counters["samples"] = Counter(runs * double(statistics[0].samples), Counter::kIsRate);
-    state.counters["regions"] = Counter(runs * double(statistics[0].regionsVisited), Counter::kIsRate);
-    state.counters["samplesPerRay"] = double(statistics[0].samples) / double(statistics[0].rays);
-    state.counters["regionsPerRay"] = double(statistics[0].regionsVisited) / double(statistics[0].rays);
+    state.counters["samples"] = Counter(runs * double(statistics[0].counts.samples), Counter::kIsRate);
+    state.counters["regions"] = Counter(runs * double(statistics[0].counts.regionsVisited), Counter::kIsRate);
+    state.counters["samplesPerRay"] = double(statistics[0].counts.samples) / double(statistics[0].rays);
+    state.counters["regionsPerRay"] = double(statistics[0].counts.regionsVisited) / double(statistics[0].rays);
     state.SetLabel(Renderer::target() + ", " + std::to_string(Renderer::lanes()) + " lanes");
 }
 

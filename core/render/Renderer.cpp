@@ -11,9 +11,9 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include <atomic>
 #include <chrono>
 #include <cmath>
+#include <mutex>
 #include <utility>
 
 namespace brickwall {
@@ -35,7 +35,7 @@ void checkScene(const Scene& scene)
 }
 
 /// Ray parameters are floats: steps have to be more than their rounding, or a ray would stand still.
-void checkMidpoint(const MidpointConfig& config, const Box3i& halfBounds)
+void checkSteps(const StepConfig& config, const Box3i& halfBounds)
 {
     const double extent = 0.5 * glm::length(vec3d(halfBounds.extent()));
     const double least = extent * 0x1p-22;
@@ -81,10 +81,35 @@ std::vector<Tile> tilesOf(const std::vector<Frame>& frames)
 
 struct Counters
 {
-    std::atomic<std::uint64_t> samples{0};
-    std::atomic<std::uint64_t> regionsVisited{0};
-    std::atomic<std::int64_t> nanoseconds{0}; ///< of all threads
+    std::mutex mutex;
+    TileCounts counts;
+    std::int64_t nanoseconds = 0; ///< of all threads
+
+    void add(const TileCounts& tile, std::int64_t tileNanoseconds)
+    {
+        const std::lock_guard lock(mutex);
+        counts += tile;
+        nanoseconds += tileNanoseconds;
+    }
 };
+
+ViewStatistics statisticsOf(const View& view, const Counters& counters, std::uint64_t rays,
+                            const RenderSettings& settings, int threads)
+{
+    const TileCounts& c = counters.counts;
+    ViewStatistics s;
+    s.name = view.name;
+    s.milliseconds = double(counters.nanoseconds) / 1e6 / threads;
+    s.rays = rays;
+    s.counts = c.trace;
+    s.surfaceHits = c.surfaceHits;
+    s.largestBound = c.largestBound;
+    s.pixelsBeyond = c.pixelsBeyond;
+    if (c.pixelsBeyond > 0)
+        s.beyondBecause =
+            fmt::format("a tolerance of {:g} is finer than 32-bit floats resolve there", settings.bounded.tolerance);
+    return s;
+}
 
 } // namespace
 
@@ -134,13 +159,12 @@ std::vector<Frame> Renderer::render(std::span<const View> views, const RenderSet
                                     std::vector<ViewStatistics>* statistics) const
 {
     const Scene& scene = state_->scene;
-    checkMidpoint(settings.midpoint, scene.regions->bounds);
+    checkSteps(settings.step, scene.regions->bounds);
     std::vector<TileRenderer> renderers;
     std::vector<Frame> frames;
     for (const View& view : views) {
-        renderers.emplace_back(
-            ViewRays(view, scene.regions->bounds, scene.worldFromVoxel, settings.midpoint.interleave),
-            state_->traceScene(), scene.triangles.get(), settings);
+        renderers.emplace_back(ViewRays(view, scene.regions->bounds, scene.worldFromVoxel, settings.step.interleave),
+                               state_->traceScene(), scene.triangles.get(), settings);
         frames.push_back(emptyFrame(view));
     }
 
@@ -153,9 +177,7 @@ std::vector<Frame> Renderer::render(std::span<const View> views, const RenderSet
             const Tile& tile = tiles[i];
             const auto tileStart = Clock::now();
             const TileCounts counts = renderers[tile.view].render(tile.x, tile.y, frames[tile.view]);
-            counters[tile.view].nanoseconds += std::chrono::nanoseconds(Clock::now() - tileStart).count();
-            counters[tile.view].samples += counts.samples;
-            counters[tile.view].regionsVisited += counts.regionsVisited;
+            counters[tile.view].add(counts, std::chrono::nanoseconds(Clock::now() - tileStart).count());
             progress.advance(1);
         }
     });
@@ -164,8 +186,8 @@ std::vector<Frame> Renderer::render(std::span<const View> views, const RenderSet
     if (statistics) {
         statistics->clear();
         for (std::size_t i = 0; i < views.size(); ++i)
-            statistics->push_back({views[i].name, counters[i].nanoseconds / 1e6 / state_->executor.threads(),
-                                   frames[i].color.size(), counters[i].samples, counters[i].regionsVisited});
+            statistics->push_back(
+                statisticsOf(views[i], counters[i], frames[i].color.size(), settings, state_->executor.threads()));
     }
     return frames;
 }

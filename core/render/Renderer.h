@@ -5,9 +5,12 @@
 #include "brickwall/core/base/Progress.h"
 #include "brickwall/core/model/Regions.h"
 #include "brickwall/core/render/Frame.h"
+#include "brickwall/core/shade/IsoSurface.h"
 #include "brickwall/core/shade/TransferFunction.h"
+#include "brickwall/core/trace/TraceTile.h"
 #include "brickwall/core/trace/TriangleScene.h"
 
+#include <array>
 #include <memory>
 #include <span>
 #include <string>
@@ -20,21 +23,37 @@ enum class Shading {
     headlight, ///< colour times |cos| of gradient and ray, two-sided, no ambient term (ExaBrick's)
 };
 
+/// How the volume is integrated. Isosurfaces are found exactly, whatever the method.
 enum class Method {
-    midpoint, ///< ExaBrick: steps of dt x finest cell width of the region, sampled at the middle of every segment
+    bounded,       ///< keeps a stated error in the image with as little work as it finds (docs/speed-accuracy.md)
+    fixed,         ///< Riemann sum: uniform steps of dt finest cells of the data, sampled at their near end
+    midpoint,      ///< ExaBrick: steps of dt x finest cell width of the region, sampled at the middle of every segment
+    bracket,       ///< midpoint, with a binary search where two samples straddle what the transfer function shows
+    preintegrated, ///< steps like midpoint, sampled at both ends, exact for a field that is linear in between
+    reference,     ///< plain, in double, to 1e-10: what the others are measured against; slow
 };
 
-struct MidpointConfig
+inline constexpr std::array methodNames = {"bounded", "fixed", "midpoint", "bracket", "preintegrated", "reference"};
+
+struct BoundedConfig
 {
-    float dt = 0.5f;                   ///< step, in finest cell widths of the region; > 0
+    /// The largest error wanted in any linear premultiplied component of any pixel against `reference`; in (0, 1].
+    float tolerance = 1.0f / 255.0f;
+};
+
+/// Of the methods that take steps: fixed, midpoint, bracket, preintegrated.
+struct StepConfig
+{
+    float dt = 0.5f;                   ///< step, in finest cell widths of the region (fixed: of the data); > 0
     bool interleave = true;            ///< a different offset of the sample planes for every pixel
     float terminationOpacity = 0.998f; ///< a ray ends when it is this opaque
 };
 
 struct RenderSettings
 {
-    Method method = Method::midpoint;
-    MidpointConfig midpoint;
+    Method method = Method::bounded;
+    BoundedConfig bounded;
+    StepConfig step;
     Shading shading = Shading::headlight;
 };
 
@@ -46,6 +65,7 @@ struct Scene
     std::shared_ptr<const TriangleScene> triangles; ///< may be null
     TransferFunction transferFunction;
     mat4d worldFromVoxel{1.0};
+    std::vector<IsoSurface> surfaces; ///< in any order
 };
 
 struct ViewStatistics
@@ -53,8 +73,13 @@ struct ViewStatistics
     std::string name;
     double milliseconds = 0.0; ///< the view's part of the call: the time spent on its tiles / threads
     std::uint64_t rays = 0;
-    std::uint64_t samples = 0;        ///< evaluations of B
-    std::uint64_t regionsVisited = 0; ///< that were not skipped
+    TraceCounts counts;
+    std::uint64_t surfaceHits = 0;
+    /// Of the bounded method: the largest error that it admits to have made in a pixel, and the pixels where that is
+    /// more than the tolerance, with the reason; 0 and empty otherwise.
+    float largestBound = 0.0f;
+    std::uint64_t pixelsBeyond = 0;
+    std::string beyondBecause;
 };
 
 /// Renders views of one scene. Construction does what all views share (the table of the transfer function, the regions

@@ -29,9 +29,33 @@ TileRenderer::TileRenderer(const ViewRays& rays, TraceScene scene, const Triangl
     : rays_(rays),
       scene_(scene),
       triangles_(triangles && !triangles->empty() ? triangles : nullptr),
-      midpoint_{settings.midpoint.dt, settings.midpoint.terminationOpacity, settings.shading == Shading::headlight}
+      settings_(settings)
 {
     scene_.origin = rays.origin();
+}
+
+TileCounts& TileCounts::operator+=(const TileCounts& other)
+{
+    trace += other.trace;
+    surfaceHits += other.surfaceHits;
+    largestBound = std::max(largestBound, other.largestBound);
+    pixelsBeyond += other.pixelsBeyond;
+    return *this;
+}
+
+void TileRenderer::integrate(const RayTile& tile, TileResult& result) const
+{
+    const StepParameters steps{settings_.step.dt, settings_.step.terminationOpacity,
+                               settings_.shading == Shading::headlight};
+    switch (settings_.method) {
+    case Method::bounded:
+    case Method::fixed:
+    case Method::midpoint:
+    case Method::bracket:
+    case Method::preintegrated:
+    case Method::reference:
+        return traceMidpoint(scene_, steps, tile, result);
+    }
 }
 
 TileCounts TileRenderer::render(int x, int y, Frame& frame) const
@@ -52,7 +76,7 @@ TileCounts TileRenderer::render(int x, int y, Frame& frame) const
             if (hits[i].hit)
                 rays_.endAt(i, hits[i].t, pixels, tile);
     }
-    traceMidpoint(scene_, midpoint_, tile, result);
+    integrate(tile, result);
 
     for (int i = 0; i < pixels.count; ++i) {
         const float through = result.transmittance[i];
@@ -70,7 +94,9 @@ TileCounts TileRenderer::render(int x, int y, Frame& frame) const
         frame.color[index] = color;
         frame.depth[index] = weight > 0.0 ? rays_.depthAt(i, rays_.worldFromTile(i, mean, pixels), pixels) : 1.0f;
     }
-    return {result.samples, result.regionsVisited};
+    TileCounts counts;
+    counts.trace = result.counts;
+    return counts;
 }
 
 } // namespace brickwall

@@ -9,8 +9,12 @@ namespace brickwall {
 
 struct TileCounts
 {
-    std::uint64_t samples = 0;
-    std::uint64_t regionsVisited = 0;
+    TraceCounts trace;
+    std::uint64_t surfaceHits = 0;
+    float largestBound = 0.0f;
+    std::uint64_t pixelsBeyond = 0; ///< whose bound is more than the tolerance
+
+    TileCounts& operator+=(const TileCounts& other);
 };
 
 /// Tiles of one view: rays, triangles, volume, colour and depth. Any number of threads may render different tiles of a
@@ -26,10 +30,13 @@ public:
     TileCounts render(int x, int y, Frame& frame) const;
 
 private:
+    /// Integrates the volume along the rays, by the method of the settings.
+    void integrate(const RayTile& tile, TileResult& result) const;
+
     ViewRays rays_;
     TraceScene scene_;
     const TriangleScene* triangles_;
-    MidpointParameters midpoint_;
+    RenderSettings settings_;
 };
 
 } // namespace brickwall

@@ -8,6 +8,7 @@
 #define BRICKWALL_CORE_TRACE_MIDPOINT_H
 #endif
 
+#include "brickwall/core/trace/Radiance.h"
 #include "brickwall/core/trace/Reconstruct.h"
 #include "brickwall/core/trace/RegionWalk.h"
 #include "brickwall/core/trace/TraceTile.h"
@@ -16,81 +17,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace brickwall::HWY_NAMESPACE {
 
-struct ColorN
-{
-    FloatN r, g, b;
-};
-
-/// What has been collected along rays, front to back.
-struct RadianceN
-{
-    ColorN color;
-    FloatN transmittance;
-    FloatN weightedDistance;
-
-    HWY_INLINE RadianceN() : color{0.0f, 0.0f, 0.0f}, transmittance(1.0f), weightedDistance(0.0f) {}
-
-    /// Adds a segment [t, t + length] of constant extinction and colour.
-    HWY_INLINE void add(FloatN extinction, const ColorN& c, FloatN t, FloatN length)
-    {
-        const FloatN depth = extinction * length;
-        const FloatN through = exp(-depth);
-        const FloatN absorbed = FloatN(1.0f) - through;
-        const FloatN weight = transmittance * absorbed;
-        color.r = fma(weight, c.r, color.r);
-        color.g = fma(weight, c.g, color.g);
-        color.b = fma(weight, c.b, color.b);
-        weightedDistance = fma(weight, fma(meanDepth(depth, through, absorbed), length, t), weightedDistance);
-        transmittance *= through;
-    }
-
-private:
-    /// Where in [0, 1] of a segment its contribution comes from on average: 1/d - e^-d / (1 - e^-d), a series where
-    /// that would cancel. Keeps the depth of an opaque surface sharp.
-    HWY_INLINE static FloatN meanDepth(FloatN depth, FloatN through, FloatN absorbed)
-    {
-        const FloatN exact = fnma(depth, through, absorbed) / (depth * absorbed);
-        return select(depth < FloatN(0.1f), fnma(depth, 1.0f / 12.0f, 0.5f), exact);
-    }
-};
-
-/// |cos| between gradient and ray in world space, 1 where there is no gradient.
-class Headlight
-{
-public:
-    Headlight(const TraceScene& scene, const RayN& ray, FloatN worldStretch)
-        : metric_(scene.gradientMetric), ray_(ray), reciprocalStretch_(FloatN(1.0f) / worldStretch)
-    {
-        // Fields may be as small as 1e-30: their gradients are scaled so that the squares do not vanish.
-        const float span = scene.field->range.span();
-        scale_ = span > 0.0f ? 1.0f / span : 1.0f;
-    }
-
-    HWY_INLINE FloatN operator()(const PointN& gradient) const
-    {
-        const FloatN x = gradient.x * scale_, y = gradient.y * scale_, z = gradient.z * scale_;
-        const FloatN along = fma(x, ray_.dir[0], fma(y, ray_.dir[1], z * ray_.dir[2]));
-        const FloatN gx = fma(x, metric_[0], fma(y, metric_[3], z * metric_[4]));
-        const FloatN gy = fma(x, metric_[3], fma(y, metric_[1], z * metric_[5]));
-        const FloatN gz = fma(x, metric_[4], fma(y, metric_[5], z * metric_[2]));
-        const FloatN squared = fma(x, gx, fma(y, gy, z * gz));
-        const FloatN cosine = min(abs(along) * reciprocalStretch_ / sqrt(squared), 1.0f);
-        return select(squared > FloatN(1e-24f), cosine, 1.0f);
-    }
-
-private:
-    const std::array<float, 6>& metric_;
-    const RayN& ray_;
-    FloatN reciprocalStretch_;
-    float scale_;
-};
-
 /// The visitor of a RegionWalk that samples a region at the midpoints of its segments.
 template <bool shaded>
 class Midpoint
 {
 public:
-    Midpoint(const TraceScene& scene, const MidpointParameters& parameters, const RayN& ray, FloatN offset,
+    Midpoint(const TraceScene& scene, const StepParameters& parameters, const RayN& ray, FloatN offset,
              FloatN worldStretch)
         : scene_(scene),
           lookup_(*scene.table),
@@ -107,7 +39,7 @@ public:
         const Region& region = scene_.regions->regions[index];
         const Range range = scene_.field->regionRanges[index];
         const float* values = scene_.field->values.data();
-        regionsVisited += count(active);
+        counts.regionsVisited += count(active);
         if (region.brickCount == 1) {
             const BrickView brick(scene_.regions->bricks[scene_.regions->brickLists[region.firstBrick]], values,
                                   scene_.origin);
@@ -122,8 +54,7 @@ public:
     }
 
     RadianceN radiance;
-    std::uint64_t samples = 0;
-    std::uint64_t regionsVisited = 0;
+    TraceCounts counts;
 
 private:
     /// Segments end at the planes t = (offset + k) step and at the region's ends.
@@ -137,7 +68,7 @@ private:
         FloatN last = t0;
         while (any(active)) {
             const FloatN next = min((offset_ + k) * step, t1);
-            samples += count(active);
+            counts.samples += count(active);
             segment(range, active, last, next - last, field);
             last = next;
             k += FloatN(1.0f);

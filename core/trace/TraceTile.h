@@ -29,14 +29,31 @@ struct RayTile
     alignas(64) PerRay<float> worldStretch{}; ///< length in world space of `dir`
 };
 
-/// What came of the rays of a tile. Premultiplied linear colour; the opacity is 1 - transmittance.
+/// What tracing rays has cost, summed over them.
+struct TraceCounts
+{
+    std::uint64_t samples = 0;        ///< evaluations of B
+    std::uint64_t fetches = 0;        ///< of eight cells around a point, per brick
+    std::uint64_t regionsVisited = 0; ///< those that were not skipped
+    std::uint64_t piecesSkipped = 0;  ///< between planes through cell centres, without opacity
+    std::uint64_t piecesMerged = 0;   ///< that did not need an evaluation of their own
+    std::uint64_t piecesSplit = 0;    ///< that needed more than one part
+
+    TraceCounts& operator+=(const TraceCounts& other);
+};
+
+/// What came of the rays of a tile. Premultiplied linear colour; the opacity is 1 - transmittance. Every way to
+/// integrate starts from what is there, so that a ray may be integrated from one surface to the next.
 struct TileResult
 {
     alignas(64) std::array<RayTile::PerRay<float>, 3> color;
     alignas(64) RayTile::PerRay<float> transmittance;
     alignas(64) RayTile::PerRay<float> weightedDistance; ///< sum over opacity contributions times their t
-    std::uint64_t samples = 0;                           ///< evaluations of B
-    std::uint64_t regionsVisited = 0;                    ///< per ray
+    alignas(64) RayTile::PerRay<float> error;            ///< the bounded method's own bound so far; 0 for the others
+    TraceCounts counts;
+
+    /// Nothing collected yet.
+    TileResult();
 };
 
 /// What rays of a view go through. Everything is borrowed.
@@ -53,18 +70,19 @@ struct TraceScene
     std::array<float, 6> gradientMetric{1, 1, 1, 0, 0, 0};
 };
 
-/// Midpoint sampling in steps of dt finest cell widths of a region (Wald et al., "Ray Tracing Structured AMR Data Using
-/// ExaBricks", 2021), samples being weighted by the true length of their segment.
-struct MidpointParameters
+struct StepParameters
 {
     float dt = 0.5f;
     float terminationOpacity = 1.0f;
     bool headlight = false;
 };
 
-/// Integrates the rays of a tile. A ray's result depends on that ray alone, not on its neighbours. Thread-safe.
-void traceMidpoint(const TraceScene& scene, const MidpointParameters& parameters, const RayTile& rays,
-                   TileResult& result);
+// Each of these integrates the rays of a tile from tNear to tFar. A ray's result depends on that ray alone, not on its
+// neighbours. Thread-safe.
+
+/// Midpoint sampling in steps of dt finest cell widths of a region (Wald et al., "Ray Tracing Structured AMR Data Using
+/// ExaBricks", 2021), samples being weighted by the true length of their segment.
+void traceMidpoint(const TraceScene& scene, const StepParameters& parameters, const RayTile& rays, TileResult& result);
 
 /// Walks the rays of a tile and only counts the regions they visit: for benchmarks.
 std::uint64_t countRegions(const TraceScene& scene, const RayTile& rays);

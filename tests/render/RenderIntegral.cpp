@@ -167,7 +167,7 @@ TEST_P(PlainMarch, InDoubleGivesTheSamePicture)
     const oracles::ReferenceReconstruction basis(model, model.fields[0]);
     const Scene scene = sceneOf(model.bricks, model.fields[0], colorful({-1.0f, 1.0f}));
     RenderSettings settings = settingsOf(0.5f, shading);
-    settings.midpoint.interleave = false;
+    settings.step.interleave = false;
     for (const vec3d eye : {vec3d(-25.3, 40.1, -30.7), vec3d(15.2, 17.3, 14.9), vec3d(70.1, 12.2, 3.3)}) {
         const View view = lookAt(eye, {16.1, 15.3, 18.2}, 13, 11, 60.0);
         const Frame frame = renderOne(scene, view, settings);

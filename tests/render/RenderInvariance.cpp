@@ -48,7 +48,7 @@ TEST_F(RenderInvariance, TilesHaveTheBitsOfTheWhole)
 TEST_F(RenderInvariance, AHostThatMirrorsGetsTheMirroredPicture)
 {
     // A negative scale in a host's modelview turns the corners round; that was refused as an eye behind its screen.
-    settings.midpoint.interleave = false;
+    settings.step.interleave = false;
     const vec3d eye{-25, 40, -30};
     const mat4d modelview = glm::lookAt(eye, vec3d{16, 15, 18}, vec3d{0, 1, 0});
     const mat4d projection = glm::perspective(0.9, 53.0 / 37.0, 1.0, 200.0);
@@ -86,8 +86,8 @@ TEST_F(RenderInvariance, ViewsRenderedTogetherHaveTheBitsOfViewsRenderedAlone)
     for (std::size_t i = 0; i < views.size(); ++i) {
         expectSameBits(together[i], renderOne(scene, views[i], settings));
         EXPECT_EQ(statistics[i].rays, std::uint64_t(views[i].window.width) * views[i].window.height);
-        EXPECT_GT(statistics[i].samples, 0u);
-        EXPECT_GT(statistics[i].regionsVisited, 0u);
+        EXPECT_GT(statistics[i].counts.samples, 0u);
+        EXPECT_GT(statistics[i].counts.regionsVisited, 0u);
     }
 }
 
@@ -139,9 +139,9 @@ TEST_F(RenderInvariance, SkippedRegionsChangeNothing)
     traceMidpoint(s, {0.5f, 1.0f, true}, tile, skipped);
     EXPECT_EQ(all.color, skipped.color);
     EXPECT_EQ(all.transmittance, skipped.transmittance);
-    EXPECT_LT(2 * skipped.samples, all.samples);
-    EXPECT_LT(2 * skipped.regionsVisited, all.regionsVisited);
-    EXPECT_GT(skipped.samples, 0u);
+    EXPECT_LT(2 * skipped.counts.samples, all.counts.samples);
+    EXPECT_LT(2 * skipped.counts.regionsVisited, all.counts.regionsVisited);
+    EXPECT_GT(skipped.counts.samples, 0u);
 }
 
 TEST_F(RenderInvariance, BricksMayBeCutInAnyWay)

@@ -119,8 +119,9 @@ inline View lookAlong(const vec3d& eye, int axis, double sign)
 inline RenderSettings settingsOf(float dt, Shading shading = Shading::off)
 {
     RenderSettings settings;
-    settings.midpoint.dt = dt;
-    settings.midpoint.terminationOpacity = 1.0f;
+    settings.method = Method::midpoint;
+    settings.step.dt = dt;
+    settings.step.terminationOpacity = 1.0f;
     settings.shading = shading;
     return settings;
 }

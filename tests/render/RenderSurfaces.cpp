@@ -118,7 +118,7 @@ TEST(RenderTermination, EndsRaysEarlyAndKeepsWhatTheyHave)
     const Scene scene = sceneOf(cube.bricks, cube.field, constant(0.5f));
     const View view = lookAlong({-4, 7.25, 8.5}, 0, 1.0);
     RenderSettings settings = settingsOf(0.5f);
-    settings.midpoint.terminationOpacity = 0.9f;
+    settings.step.terminationOpacity = 0.9f;
     const Executor serial(1);
     Progress silent;
     std::vector<ViewStatistics> early, late;
@@ -127,9 +127,9 @@ TEST(RenderTermination, EndsRaysEarlyAndKeepsWhatTheyHave)
     renderer.render({&view, 1}, settingsOf(0.5f), silent, &late);
     EXPECT_GE(frame.color[0].a, 0.9f);
     EXPECT_LT(frame.color[0].a, 1.0f - 0.1f * std::exp(-0.26f));
-    EXPECT_LT(2 * early[0].samples, late[0].samples);
-    EXPECT_GE(late[0].samples, 34u); // 17 voxels in steps of 1/2, and a little more at faces
-    EXPECT_LE(late[0].samples, 42u);
+    EXPECT_LT(2 * early[0].counts.samples, late[0].counts.samples);
+    EXPECT_GE(late[0].counts.samples, 34u); // 17 voxels in steps of 1/2, and a little more at faces
+    EXPECT_LE(late[0].counts.samples, 42u);
 }
 
 TEST(RenderRefusal, NamesWhatIsWrong)

@@ -114,9 +114,9 @@ TEST(RegionWalk, ARayDoesNotDependOnItsNeighbours)
         EXPECT_EQ(one.weightedDistance[0], all.weightedDistance[i]);
         for (int c = 0; c < 3; ++c)
             EXPECT_EQ(one.color[c][0], all.color[c][i]);
-        samples += one.samples;
+        samples += one.counts.samples;
     }
-    EXPECT_EQ(all.samples, samples);
+    EXPECT_EQ(all.counts.samples, samples);
 }
 
 TEST(VisibleNodes, KeepTheTreeWhereThereIsSomethingToSee)
