@@ -3,6 +3,8 @@
 #include "brickwall/core/model/Half.h"
 #include "brickwall/core/model/Regions.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -102,11 +104,40 @@ Range rangeOfCells(const PaddedBrick& brick, const float* values, const vec3i& l
     return range;
 }
 
-/// Of the cells whose tents reach the region: the padded cells of a single brick's stencils, or the listed bricks' own
-/// cells.
-Range rangeOfRegion(const Region& region, const RegionTree& tree, const float* values)
+/// The largest difference of neighbours along each axis, as the length of a vector.
+float largestDifference(const PaddedBrick& brick, const float* values, const vec3i& lower, const vec3i& upper)
+{
+    const vec3i n = brick.paddedSize();
+    const std::size_t stride[3] = {1, std::size_t(n.x), std::size_t(n.x) * n.y};
+    vec3f largest(0.0f);
+    for (int axis = 0; axis < 3; ++axis) {
+        vec3i end = upper;
+        --end[axis];
+        for (int z = lower.z; z < end.z; ++z)
+            for (int y = lower.y; y < end.y; ++y) {
+                const float* row =
+                    values + brick.begin + (lower.x + 1) + (std::size_t(y + 1) * n.x + std::size_t(z + 1) * stride[2]);
+                float most = 0.0f;
+                for (int x = 0; x < end.x - lower.x; ++x)
+                    most = std::max(most, std::abs(row[x + stride[axis]] - row[x]));
+                largest[axis] = std::max(largest[axis], most);
+            }
+    }
+    return static_cast<float>(glm::length(vec3d(largest))); // squares of floats may vanish
+}
+
+struct RegionValues
 {
     Range range;
+    float slope = 0.0f;
+};
+
+/// Of the cells whose tents reach the region: the padded cells of a single brick's stencils, or the listed bricks' own
+/// cells.
+RegionValues valuesOfRegion(const Region& region, const RegionTree& tree, const float* values)
+{
+    RegionValues result;
+    Range& range = result.range;
     for (std::uint32_t i = 0; i < region.brickCount; ++i) {
         const PaddedBrick& brick = tree.bricks[tree.brickLists[region.firstBrick + i]];
         const Box3i reaching = half::cellsReaching({region.lower, region.upper}, brick.level);
@@ -115,8 +146,12 @@ Range rangeOfRegion(const Region& region, const RegionTree& tree, const float* v
         const vec3i lower = glm::max(reaching.lower - first, vec3i(-pad));
         const vec3i upper = glm::min(reaching.upper - first, brick.size + pad);
         range.extend(rangeOfCells(brick, values, lower, upper));
+        if (region.brickCount == 1)
+            result.slope = largestDifference(brick, values, lower, upper) / static_cast<float>(brick.cellWidth());
     }
-    return range;
+    if (region.brickCount > 1) // the weights change by up to their own size per cell along each axis
+        result.slope = 4.0f * range.span() / static_cast<float>(1 << region.finestLevel);
+    return result;
 }
 
 } // namespace
@@ -146,12 +181,15 @@ PaddedField padField(const Field& field, std::span<const Brick> bricks, const Re
     });
 
     padded.regionRanges.resize(tree.regions.size());
+    padded.regionSlopes.resize(tree.regions.size());
     progress.begin("finding value ranges", tree.regions.size());
     executor.forEach(tree.regions.size(), 64, [&](std::size_t begin, std::size_t end) {
         for (std::size_t r = begin; r < end; ++r) {
             if (r % 64 == 0)
                 progress.check();
-            padded.regionRanges[r] = rangeOfRegion(tree.regions[r], tree, padded.values.data());
+            const RegionValues found = valuesOfRegion(tree.regions[r], tree, padded.values.data());
+            padded.regionRanges[r] = found.range;
+            padded.regionSlopes[r] = found.slope;
         }
         progress.advance(end - begin);
     });

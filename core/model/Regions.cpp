@@ -11,7 +11,8 @@ std::size_t RegionTree::bytes() const
 
 std::size_t PaddedField::bytes() const
 {
-    return sizeof(*this) + values.size() * sizeof(float) + regionRanges.size() * sizeof(Range);
+    return sizeof(*this) + values.size() * sizeof(float) + regionRanges.size() * sizeof(Range) +
+           regionSlopes.size() * sizeof(float);
 }
 
 std::int64_t findRegion(const RegionTree& tree, const vec3d& p)

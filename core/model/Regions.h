@@ -73,12 +73,14 @@ struct RegionTree
 /// Deterministic, whatever the executor. Throws Cancelled.
 RegionTree buildRegions(std::span<const Brick> bricks, const Executor& executor, Progress& progress);
 
-/// A field ready to be sampled: padded values and a range per region, over exactly the cells whose tents reach the
-/// region.
+/// A field ready to be sampled: padded values, and per region the range of exactly the cells whose tents reach it.
 struct PaddedField
 {
     std::vector<float> values;
     std::vector<Range> regionRanges; ///< one per region
+    /// One per region: how fast B changes along any ray in it, at most, per voxel. For one brick a bound, from the
+    /// largest difference of neighbours along each axis; for several an estimate, from the range and the finest width.
+    std::vector<float> regionSlopes;
     Range range;
 
     std::size_t bytes() const;

@@ -17,6 +17,11 @@
 
 #include <cstdint>
 
+/// For lambdas that work on lanes: compiled for the instruction set at hand, and never called through memory.
+#ifndef LANES_LAMBDA
+#define LANES_LAMBDA HWY_ATTR __attribute__((always_inline))
+#endif
+
 HWY_BEFORE_NAMESPACE();
 namespace brickwall::HWY_NAMESPACE {
 
@@ -80,7 +85,6 @@ struct FloatN
     HWY_INLINE FloatN(float s) : v(hn::Set(FloatTag(), s)) {}
 
     HWY_INLINE FloatN& operator+=(FloatN b) { return *this = hn::Add(v, b.v); }
-    HWY_INLINE FloatN& operator-=(FloatN b) { return *this = hn::Sub(v, b.v); }
     HWY_INLINE FloatN& operator*=(FloatN b) { return *this = hn::Mul(v, b.v); }
 };
 
@@ -170,6 +174,17 @@ HWY_INLINE FloatN log(FloatN a)
 {
     return hn::Log(FloatTag(), a.v);
 } ///< for a > 0
+/// Within 1e-3 of it, for a > 0 that is not denormal. (The exponent divided by three, as an integer, and one step of
+/// Newton's method.)
+HWY_INLINE FloatN cubeRoot(FloatN a)
+{
+    const hn::Vec<IntTag> bits = hn::BitCast(IntTag(), a.v);
+    const auto third = hn::ConvertTo(IntTag(), hn::Mul(hn::ConvertTo(FloatTag(), bits), hn::Set(FloatTag(), 1.0f / 3)));
+    FloatN x = hn::BitCast(FloatTag(), hn::Add(third, hn::Set(IntTag(), 0x2a5137a0)));
+    for (int i = 0; i < 2; ++i)
+        x = (x + x + a / (x * x)) * FloatN(1.0f / 3.0f);
+    return x;
+}
 HWY_INLINE FloatN select(MaskN m, FloatN yes, FloatN no)
 {
     return hn::IfThenElse(m.m, yes.v, no.v);
@@ -177,6 +192,12 @@ HWY_INLINE FloatN select(MaskN m, FloatN yes, FloatN no)
 HWY_INLINE FloatN valueOrZero(MaskN m, FloatN yes)
 {
     return hn::IfThenElseZero(m.m, yes.v);
+}
+
+/// Of all lanes, in an order of its own.
+HWY_INLINE float sum(FloatN a)
+{
+    return hn::GetLane(hn::SumOfLanes(FloatTag(), a.v));
 }
 
 /// Aligned to the size of the lanes.
@@ -187,14 +208,6 @@ HWY_INLINE FloatN load(const float* p)
 HWY_INLINE void store(FloatN a, float* p)
 {
     hn::Store(a.v, FloatTag(), p);
-}
-HWY_INLINE FloatN loadWhere(MaskN m, const float* p)
-{
-    return hn::MaskedLoad(m.m, FloatTag(), p);
-} ///< else 0
-HWY_INLINE void storeWhere(MaskN m, FloatN a, float* p)
-{
-    hn::BlendedStore(a.v, m.m, FloatTag(), p);
 }
 
 struct IntN
@@ -218,26 +231,25 @@ HWY_INLINE IntN operator*(IntN a, IntN b)
 {
     return hn::Mul(a.v, b.v);
 }
-HWY_INLINE MaskN operator<(IntN a, IntN b)
-{
-    return {hn::RebindMask(FloatTag(), hn::Lt(a.v, b.v))};
-}
-HWY_INLINE MaskN operator>(IntN a, IntN b)
-{
-    return {hn::RebindMask(FloatTag(), hn::Gt(a.v, b.v))};
-}
 HWY_INLINE MaskN operator==(IntN a, IntN b)
 {
     return {hn::RebindMask(FloatTag(), hn::Eq(a.v, b.v))};
 }
 
+/// Rounds towards zero.
 HWY_INLINE IntN toInt(FloatN a)
 {
     return hn::ConvertTo(IntTag(), a.v);
-} ///< rounds towards zero
-HWY_INLINE FloatN toFloat(IntN a)
+}
+/// The bits of a float as an integer: positive floats and their bits are in the same order.
+HWY_INLINE IntN bitsOf(FloatN a)
 {
-    return hn::ConvertTo(FloatTag(), a.v);
+    return hn::BitCast(IntTag(), a.v);
+}
+/// By the same number of bits in all lanes; the sign is kept.
+HWY_INLINE IntN shiftRight(IntN a, int bits)
+{
+    return hn::ShiftRightSame(a.v, bits);
 }
 
 /// base[i] per lane; the base has 64 bits, the indices 32.

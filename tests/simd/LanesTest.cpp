@@ -11,7 +11,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -67,6 +69,11 @@ void testFunctions()
         for (int i = 0; i < laneCount; ++i)
             EXPECT_NEAR(l.v[i], std::log(double(a.v[i])), 4e-7 * std::abs(std::log(double(a.v[i]))) + 1e-7) << a.v[i];
     }
+    for (float first = 2e-38f; first < 1e37f; first *= 7.7f) {
+        const Lane a = ramp(first, 0.9f * first), root(cubeRoot(load(a.v)));
+        for (int i = 0; i < laneCount; ++i)
+            EXPECT_NEAR(root.v[i], std::cbrt(a.v[i]), 1e-3f * std::cbrt(a.v[i])) << a.v[i];
+    }
 }
 
 void testMasks()
@@ -81,14 +88,10 @@ void testMasks()
         EXPECT_EQ(count(!m), laneCount - n);
         EXPECT_EQ(count(andNot(firstLanes(laneCount), m)), laneCount - n);
         EXPECT_EQ(count(load(a.v) < FloatN(static_cast<float>(n))), n);
-        const Lane chosen(select(m, load(a.v), -1.0f)), kept(valueOrZero(m, load(a.v))), loaded(loadWhere(m, a.v));
-        Lane written = ramp(-1.0f, 0.0f);
-        storeWhere(m, load(a.v), written.v);
+        const Lane chosen(select(m, load(a.v), -1.0f)), kept(valueOrZero(m, load(a.v)));
         for (int i = 0; i < laneCount; ++i) {
             EXPECT_EQ(chosen.v[i], i < n ? a.v[i] : -1.0f);
             EXPECT_EQ(kept.v[i], i < n ? a.v[i] : 0.0f);
-            EXPECT_EQ(loaded.v[i], i < n ? a.v[i] : 0.0f);
-            EXPECT_EQ(written.v[i], i < n ? a.v[i] : -1.0f);
         }
     }
     EXPECT_EQ(count(firstLanes(100)), laneCount);
@@ -98,12 +101,13 @@ void testMasks()
 
 void testGather()
 {
-    std::vector<float> table(1000);
+    std::vector<float> table(2000);
     for (std::size_t i = 0; i < table.size(); ++i)
         table[i] = static_cast<float>(i * i % 101);
     const Lane places = ramp(3.9f, 61.0f);
     const IntN index = toInt(load(places.v));
-    const Lane found(gather(table.data(), index)), back(toFloat(index * IntN(2) + IntN(1)));
+    const Lane found(gather(table.data(), index)),
+        other(gather(table.data() + 40, index * IntN(2) - IntN(7) + IntN(1)));
     const auto at = [&](int lane, int more) {
         return table[static_cast<std::size_t>(places.v[lane]) + std::size_t(more)];
     };
@@ -120,8 +124,26 @@ void testGather()
         EXPECT_EQ(g.v[i], at(i, 17));
         EXPECT_EQ(h.v[i], at(i, 18));
         EXPECT_EQ(found.v[i], table[static_cast<std::size_t>(places.v[i])]);
-        EXPECT_EQ(back.v[i], 2.0f * std::floor(places.v[i]) + 1.0f);
+        EXPECT_EQ(other.v[i], table[2 * static_cast<std::size_t>(places.v[i]) + 34]);
     }
+}
+
+void testBits()
+{
+    std::vector<float> table(1 << 12);
+    for (std::size_t i = 0; i < table.size(); ++i)
+        table[i] = static_cast<float>(i);
+    for (float first = 1e-30f; first < 1e30f; first *= 33.0f)
+        for (const int shift : {19, 22}) {
+            const Lane a = ramp(first, 0.3f * first);
+            // Indices into a table are how lanes of integers show.
+            const Lane bucket(gather(table.data(), shiftRight(bitsOf(load(a.v)), shift)));
+            const Lane below(gather(table.data() + 1, shiftRight(IntN(0) - bitsOf(FloatN(1e-42f)), shift)));
+            for (int i = 0; i < laneCount; ++i) {
+                EXPECT_EQ(bucket.v[i], static_cast<float>(std::bit_cast<std::uint32_t>(a.v[i]) >> shift)) << a.v[i];
+                EXPECT_EQ(below.v[i], 0.0f); // -1 stays -1
+            }
+        }
 }
 
 /// How many lanes there are, so that the caller knows which set it was.
@@ -131,6 +153,7 @@ int testLanes()
     testFunctions();
     testMasks();
     testGather();
+    testBits();
     return laneCount;
 }
 
