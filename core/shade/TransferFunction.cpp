@@ -6,9 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <utility>
+#include <limits>
 
 namespace brickwall {
 namespace {
@@ -32,16 +31,6 @@ void checkPositive(float value, const std::string& place, std::string_view what)
 {
     if (!(value > 0.0f && std::isfinite(value)))
         throw Error(place, fmt::format("expected a positive {}, found {}", what, value));
-}
-
-double normalizedOver(const Range& range, Scale scale, double value)
-{
-    if (scale == Scale::linear)
-        return (value - double(range.lo)) / (double(range.hi) - double(range.lo));
-    if (value <= 0.0)
-        return -std::numeric_limits<double>::infinity();
-    const double lo = std::log(double(range.lo));
-    return (std::log(value) - lo) / (std::log(double(range.hi)) - lo);
 }
 
 /// Where t lies among points with ascending t: the weight of `upper` is `f`. Continuous from the right at a step.
@@ -83,31 +72,6 @@ vec3d colorAtT(const TransferFunction& tf, double t)
     return lower + (vec3d(tf.colors[b.upper].color) - lower) * b.f;
 }
 
-std::vector<std::vector<float>> maximaOf(const std::vector<vec4f>& entries)
-{
-    std::vector<std::vector<float>> levels(1);
-    for (const vec4f& e : entries)
-        levels[0].push_back(e.w);
-    for (std::size_t width = 2; width <= entries.size(); width *= 2) {
-        const std::vector<float>& half = levels.back();
-        std::vector<float> level(entries.size() - width + 1);
-        for (std::size_t i = 0; i < level.size(); ++i)
-            level[i] = std::max(half[i], half[i + width / 2]);
-        levels.push_back(std::move(level));
-    }
-    return levels;
-}
-
-/// The table's extinction between its entries; rounded upwards, so that a bound stays a bound.
-float interpolatedUp(const std::vector<vec4f>& entries, double x)
-{
-    const std::size_t i = std::min(std::size_t(x), entries.size() - 1);
-    const std::size_t j = std::min(i + 1, entries.size() - 1);
-    const double exact = std::lerp(double(entries[i].w), double(entries[j].w), x - double(i));
-    const float rounded = float(exact);
-    return double(rounded) >= exact ? rounded : std::nextafter(rounded, std::numeric_limits<float>::infinity());
-}
-
 } // namespace
 
 void checkTransferFunction(const TransferFunction& tf, const std::string& place)
@@ -115,6 +79,11 @@ void checkTransferFunction(const TransferFunction& tf, const std::string& place)
     const auto& [lo, hi] = tf.range;
     if (!(lo < hi) || !std::isfinite(lo) || !std::isfinite(hi))
         throw Error(place, fmt::format("expected a range with lo < hi, found [{}, {}]", lo, hi));
+    constexpr float narrowest = 1e-34f; // values closer than this have no reciprocals that leave room for slopes
+    if (hi - lo < narrowest)
+        throw Error(place, fmt::format("expected a range of at least {:g}, found [{:g}, {:g}], which is too narrow "
+                                       "for 32-bit floats: use data in other units",
+                                       narrowest, lo, hi));
     if (tf.scale == Scale::logarithmic && !(lo > 0.0f))
         throw Error(place, fmt::format("a logarithmic range has to start above 0, found [{}, {}]", lo, hi));
     checkPositive(tf.referenceLength, place, "reference length");
@@ -138,7 +107,12 @@ void checkTransferFunction(const TransferFunction& tf, const std::string& place)
 
 double normalized(const TransferFunction& tf, double value)
 {
-    return normalizedOver(tf.range, tf.scale, value);
+    const double lo = tf.range.lo, hi = tf.range.hi;
+    if (tf.scale == Scale::linear)
+        return (value - lo) / (hi - lo);
+    if (value <= 0.0)
+        return -std::numeric_limits<double>::infinity();
+    return (std::log(value) - std::log(lo)) / (std::log(hi) - std::log(lo));
 }
 
 vec3d colorAt(const TransferFunction& tf, double value)
@@ -152,36 +126,16 @@ double extinctionAt(const TransferFunction& tf, double value)
     return t >= 0.0 && t <= 1.0 ? extinctionAtT(tf, t) : 0.0;
 }
 
-float TransferTable::largestExtinction(const Range& r) const
-{
-    const double t0 = normalizedOver(range, scale, r.lo);
-    const double t1 = normalizedOver(range, scale, r.hi);
-    if (!(t0 <= t1 && t1 >= 0.0 && t0 <= 1.0))
-        return 0.0f;
-    const double last = double(entries.size() - 1);
-    const double x0 = std::max(t0, 0.0) * last;
-    const double x1 = std::min(t1, 1.0) * last;
-    const float ends = std::max(interpolatedUp(entries, x0), interpolatedUp(entries, x1));
-
-    const auto first = std::size_t(std::ceil(x0));
-    const auto end = std::size_t(std::floor(x1)) + 1;
-    if (first >= end)
-        return ends;
-    const std::size_t k = std::bit_width(end - first) - 1;
-    return std::max({ends, maxExtinction[k][first], maxExtinction[k][end - (std::size_t(1) << k)]});
-}
-
 TransferTable tabulate(const TransferFunction& tf, int size)
 {
     if (size < 2)
         throw Error("transfer function", fmt::format("expected a table of 2 entries or more, found {}", size));
     checkTransferFunction(tf, "transfer function");
-    TransferTable table{tf.range, tf.scale, std::vector<vec4f>(std::size_t(size)), {}};
+    TransferTable table{tf.range, tf.scale, std::vector<vec4f>(std::size_t(size))};
     for (int i = 0; i < size; ++i) {
         const double t = double(i) / (size - 1);
         table.entries[std::size_t(i)] = vec4f(vec3f(colorAtT(tf, t)), float(extinctionAtT(tf, t)));
     }
-    table.maxExtinction = maximaOf(table.entries);
     return table;
 }
 

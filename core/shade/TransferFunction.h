@@ -55,18 +55,13 @@ double normalized(const TransferFunction& tf, double value);
 vec3d colorAt(const TransferFunction& tf, double value);
 double extinctionAt(const TransferFunction& tf, double value);
 
-/// The sampled form that the renderer looks up: linear between `size` entries at t = i / (size - 1), colour and
-/// extinction. With the table of the largest extinction over any interval of entries, so that a range query is O(1).
+/// The sampled form that the stepping methods of the literature look up, as the systems they come from do: linear
+/// between `size` entries at t = i / (size - 1), colour and extinction. What is visible at all, TransferIntegral knows.
 struct TransferTable
 {
     Range range;
     Scale scale = Scale::linear;
-    std::vector<vec4f> entries;                    ///< r, g, b (linear), extinction per finest cell
-    std::vector<std::vector<float>> maxExtinction; ///< sparse table: [k][i] = max over entries i .. i + 2^k - 1
-
-    /// The largest extinction that the table has over the values of `r`, rounded upwards; 0 means that a region with
-    /// that range may be skipped. Both ends of both ranges belong to them. O(1).
-    float largestExtinction(const Range& r) const;
+    std::vector<vec4f> entries; ///< r, g, b (linear), extinction per finest cell
 };
 
 /// Checks `tf`, then samples it at `size` >= 2 entries. The default is 8 x 127 + 1, so that the knots of a `.xf` (128

@@ -4,6 +4,7 @@
 #include "brickwall/core/base/Error.h"
 #include "brickwall/core/base/WholeFile.h"
 #include "brickwall/core/shade/ColorMaps.h"
+#include "brickwall/core/shade/TransferIntegral.h"
 #include "brickwall/tests/common/ScratchFolder.h"
 
 #include <gtest/gtest.h>
@@ -84,7 +85,7 @@ TEST(XfFile, MayEndFullyOpaque)
     values[127] = 1.0f;
     const TransferFunction tf = read(xfBytes(values));
     const TransferTable table = tabulate(tf);
-    EXPECT_EQ(table.largestExtinction({2.0f, 2.0f + 37.0f / 127.0f - 1e-5f}), 0.0f);
+    EXPECT_EQ(integrate(tf).largestExtinction({2.0f, 2.0f + 37.0f / 127.0f - 1e-5f}), 0.0f);
     EXPECT_NEAR(1.0f - std::exp(-table.entries[8 * 38].w), 0.0347222f, 1e-6f);
     EXPECT_NEAR(1.0f - std::exp(-table.entries[8 * 99].w), 0.673611f, 1e-6f);
     EXPECT_NEAR(table.entries.back().w, -std::log(1.0 - double(TransferFunction::opacityCap)), 1e-5);

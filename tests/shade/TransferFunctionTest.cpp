@@ -5,10 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <random>
-#include <utility>
 
 namespace brickwall {
 namespace {
@@ -20,37 +17,6 @@ TransferFunction ramp(Range range, float a0, float a1)
     tf.colors = {{0.0f, {0.0f, 0.2f, 1.0f}}, {1.0f, {1.0f, 0.6f, 0.0f}}};
     tf.opacity = {{0.0f, a0}, {1.0f, a1}};
     return tf;
-}
-
-TransferFunction windowed(std::mt19937& random, Scale scale)
-{
-    std::uniform_real_distribution<float> unit(0.0f, 1.0f);
-    TransferFunction tf = ramp(scale == Scale::linear ? Range{-3.0f, 5.0f} : Range{1e-6f, 1e3f}, 0.0f, 0.0f);
-    tf.scale = scale;
-    tf.kind = TransferFunction::Kind::extinction;
-    tf.opacity.clear();
-    for (int i = 0; i < 9; ++i)
-        tf.opacity.push_back({unit(random), unit(random) < 0.4f ? 0.0f : 3.0f * unit(random)});
-    std::sort(tf.opacity.begin(), tf.opacity.end(), [](auto& a, auto& b) { return a.t < b.t; });
-    return tf;
-}
-
-/// What a renderer looks up: linear between the entries.
-double tableAt(const TransferTable& table, const TransferFunction& tf, double value)
-{
-    const double t = normalized(tf, value);
-    if (!(t >= 0.0 && t <= 1.0))
-        return 0.0;
-    const double x = t * double(table.entries.size() - 1);
-    const std::size_t i = std::min(std::size_t(x), table.entries.size() - 2);
-    return std::lerp(double(table.entries[i].w), double(table.entries[i + 1].w), x - double(i));
-}
-
-double valueAt(const TransferFunction& tf, double t)
-{
-    if (tf.scale == Scale::linear)
-        return tf.range.lo + t * (double(tf.range.hi) - tf.range.lo);
-    return tf.range.lo * std::pow(double(tf.range.hi) / tf.range.lo, t);
 }
 
 void expectRefused(const TransferFunction& tf, const std::string& part)
@@ -154,55 +120,6 @@ TEST(TransferTable, OfARampIsTheRamp)
     for (std::size_t i = 0; i < 5; ++i) {
         EXPECT_FLOAT_EQ(table.entries[i].w, 0.25f + 0.5f * float(i));
         EXPECT_FLOAT_EQ(table.entries[i].x, 0.25f * float(i));
-    }
-    EXPECT_FLOAT_EQ(table.largestExtinction({-0.9f, 0.3f}), 0.25f + 1.3f);
-    EXPECT_FLOAT_EQ(table.largestExtinction({-9.0f, -1.0f}), 0.25f);
-    EXPECT_FLOAT_EQ(table.largestExtinction({1.0f, 9.0f}), 2.25f);
-    EXPECT_EQ(table.largestExtinction({-9.0f, -1.0001f}), 0.0f);
-    EXPECT_EQ(table.largestExtinction({1.0001f, 9.0f}), 0.0f);
-    EXPECT_EQ(table.largestExtinction(Range{}), 0.0f);
-}
-
-TEST(TransferTable, LargestExtinctionBoundsBruteForceTightly)
-{
-    std::mt19937 random(7);
-    std::uniform_real_distribution<double> wide(-0.2, 1.2);
-    int skipped = 0;
-    for (int round = 0; round < 400; ++round) {
-        const TransferFunction tf = windowed(random, round % 2 ? Scale::linear : Scale::logarithmic);
-        const TransferTable table = tabulate(tf, round % 3 ? 1017 : 64);
-        double a = wide(random);
-        double b = round % 5 ? wide(random) : a + 1e-3;
-        if (a > b)
-            std::swap(a, b);
-        const Range range{float(valueAt(tf, a)), float(valueAt(tf, b))};
-        const float bound = table.largestExtinction(range);
-        double brute = 0.0;
-        for (int i = 0; i <= 20000; ++i)
-            brute = std::max(brute, tableAt(table, tf, range.lo + (double(range.hi) - range.lo) * i / 20000.0));
-        // evenly in t as well: a logarithmic range has most of its values in its last decade
-        for (int i = 0; i <= 20000; ++i) {
-            const double v = valueAt(tf, a + (b - a) * i / 20000.0);
-            if (v >= range.lo && v <= range.hi)
-                brute = std::max(brute, tableAt(table, tf, v));
-        }
-        EXPECT_GE(double(bound), brute) << round;
-        EXPECT_LE(bound, brute + 0.02) << round;
-        skipped += bound == 0.0f;
-    }
-    EXPECT_GT(skipped, 10);
-}
-
-TEST(TransferTable, OneValueHasItsOwnExtinction)
-{
-    std::mt19937 random(3);
-    for (int round = 0; round < 20; ++round) {
-        const TransferFunction tf = windowed(random, Scale::linear);
-        const TransferTable table = tabulate(tf);
-        for (int i = 0; i <= 100; ++i) {
-            const float v = float(valueAt(tf, i / 100.0));
-            EXPECT_NEAR(table.largestExtinction({v, v}), tableAt(table, tf, v), 1e-6);
-        }
     }
 }
 

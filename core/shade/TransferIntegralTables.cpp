@@ -1,0 +1,133 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#include "brickwall/core/shade/TransferIntegralTables.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+namespace brickwall {
+namespace {
+
+constexpr int mostBuckets = 1024; // 4 KB, which stay in the cache
+
+std::vector<std::vector<float>> maximaOf(std::vector<float> values)
+{
+    std::vector<std::vector<float>> levels{std::move(values)};
+    const std::size_t size = levels[0].size();
+    for (std::size_t width = 2; width <= size; width *= 2) {
+        const std::vector<float>& half = levels.back();
+        std::vector<float> level(size - width + 1);
+        for (std::size_t i = 0; i < level.size(); ++i)
+            level[i] = std::max(half[i], half[i + width / 2]);
+        levels.push_back(std::move(level));
+    }
+    return levels;
+}
+
+/// Over first .. end - 1; 0 if there are none.
+float maximumOver(const std::vector<std::vector<float>>& levels, int first, int end)
+{
+    if (first >= end)
+        return 0.0f;
+    const int k = int(std::bit_width(unsigned(end - first))) - 1;
+    return std::max(levels[k][first], levels[k][end - (1 << k)]);
+}
+
+float roundedUp(float x)
+{
+    return x > 0.0f ? x * (1.0f + 4.0f * std::numeric_limits<float>::epsilon()) : 0.0f;
+}
+
+float extinctionIn(const TransferIntegral& f, int segment, float value)
+{
+    const TransferIntegral::Segment& s = f.segments[segment];
+    return std::max(0.0f, s.density.w + s.slope.w * (value - f.knots[segment]));
+}
+
+float variationOf(const TransferIntegral::Segment& segment)
+{
+    const vec4f& s = segment.slope;
+    float largest = std::abs(s.w);
+    for (int c = 0; c < 3; ++c)
+        largest = std::max({largest, std::abs(s[c]), std::abs(s.w - s[c])});
+    return roundedUp(largest);
+}
+
+void tabulateMaxima(TransferIntegral& f, const std::vector<bool>& steps)
+{
+    std::vector<float> extinction, variation;
+    for (int i = 0; i < int(f.segments.size()); ++i) {
+        extinction.push_back(roundedUp(std::max(f.segments[i].density.w, extinctionIn(f, i, f.knots[i + 1]))));
+        variation.push_back(steps[i] ? std::numeric_limits<float>::infinity() : variationOf(f.segments[i]));
+    }
+    f.maxExtinction = maximaOf(std::move(extinction));
+    f.maxVariation = maximaOf(std::move(variation));
+}
+
+void tabulateBuckets(TransferIntegral& f)
+{
+    if (f.scale == Scale::linear) {
+        f.bucketsPerUnit = float(mostBuckets / (double(f.range.hi) - double(f.range.lo)));
+    } else {
+        const auto span = std::bit_cast<std::uint32_t>(f.range.hi) - std::bit_cast<std::uint32_t>(f.range.lo);
+        f.bucketShift = std::max(0, int(std::bit_width(span)) - int(std::bit_width(unsigned(mostBuckets - 1))));
+    }
+    // firstSegments[b] is the last segment that begins in a bucket below b: buckets ascend with the value.
+    f.firstSegments.assign(std::size_t(f.bucketOf(f.range.hi)) + 2, 0.0f);
+    for (std::size_t i = 0; i < f.segments.size(); ++i)
+        f.firstSegments[std::size_t(f.bucketOf(f.knots[i])) + 1] = float(i);
+    for (std::size_t b = 1; b < f.firstSegments.size(); ++b)
+        f.firstSegments[b] = std::max(f.firstSegments[b], f.firstSegments[b - 1]);
+}
+
+} // namespace
+
+void tabulateQueries(TransferIntegral& integral, const std::vector<bool>& steps)
+{
+    tabulateMaxima(integral, steps);
+    tabulateBuckets(integral);
+}
+
+int TransferIntegral::bucketOf(float value) const
+{
+    if (scale == Scale::linear)
+        return int((value - range.lo) * bucketsPerUnit);
+    return int((std::bit_cast<std::uint32_t>(value) - std::bit_cast<std::uint32_t>(range.lo)) >> bucketShift);
+}
+
+int TransferIntegral::segmentOf(float value) const
+{
+    const std::size_t bucket = std::size_t(bucketOf(value));
+    const auto first = knots.begin() + int(firstSegments[bucket]);
+    const auto last = knots.begin() + int(firstSegments[bucket + 1]);
+    return int(std::upper_bound(first + 1, last + 1, value) - knots.begin()) - 1;
+}
+
+float TransferIntegral::largestExtinction(const Range& r) const
+{
+    const float lo = std::max(r.lo, range.lo), hi = std::min(r.hi, range.hi);
+    if (!(lo <= hi))
+        return 0.0f;
+    const int a = segmentOf(lo), b = segmentOf(hi);
+    float ends = std::max(extinctionIn(*this, a, lo), extinctionIn(*this, b, hi));
+    if (a < b)
+        ends = std::max({ends, extinctionIn(*this, a, knots[a + 1]), segments[b].density.w});
+    return std::max(roundedUp(ends), maximumOver(maxExtinction, a + 1, b));
+}
+
+float TransferIntegral::largestVariation(const Range& r) const
+{
+    const float lo = std::max(r.lo, range.lo), hi = std::min(r.hi, range.hi);
+    if (!(lo <= hi))
+        return 0.0f;
+    if ((opensWithStep && r.lo < range.lo) || (closesWithStep && r.hi > range.hi))
+        return std::numeric_limits<float>::infinity();
+    const int a = segmentOf(lo), b = segmentOf(hi);
+    // All values are above the first segment's lower end: no matter whether there is a step.
+    return std::max(variationOf(segments[a]), maximumOver(maxVariation, a + 1, b + 1));
+}
+
+} // namespace brickwall
