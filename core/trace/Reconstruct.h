@@ -54,7 +54,7 @@ struct CellN
 {
     FloatN index, f;
 
-    HWY_INLINE CellN(FloatN p, float reciprocalWidth, float shift, float size)
+    HWY_INLINE CellN(FloatN p, FloatN reciprocalWidth, FloatN shift, float size)
     {
         const FloatN u = fma(p, reciprocalWidth, shift);
         index = clamp(floor(u), 0.0f, size);
@@ -79,6 +79,14 @@ struct CornersN
             v[k][1][1] = q.d;
         }
     }
+
+    HWY_INLINE void subtract(FloatN x)
+    {
+        for (auto& plane : v)
+            for (auto& row : plane)
+                for (FloatN& value : row)
+                    value = value - x;
+    }
 };
 
 /// The trilinear interpolant of one brick's padded cells.
@@ -88,7 +96,11 @@ HWY_INLINE SampleN sampleBrick(const BrickView& brick, const PointN& p)
     const CellN x(p.x, brick.reciprocalWidth, brick.shift.x, brick.size.x);
     const CellN y(p.y, brick.reciprocalWidth, brick.shift.y, brick.size.y);
     const CellN z(p.z, brick.reciprocalWidth, brick.shift.z, brick.size.z);
-    const CornersN c(brick, x, y, z);
+    CornersN c(brick, x, y, z);
+    // Gradients of fields that hardly vary would otherwise be the rounding of their values.
+    const FloatN reference = withGradient ? c.v[0][0][0] : FloatN(0.0f);
+    if constexpr (withGradient)
+        c.subtract(reference);
     FloatN row[2][2], slope[2][2], plane[2];
     for (int k = 0; k < 2; ++k) {
         for (int j = 0; j < 2; ++j) {
@@ -98,7 +110,7 @@ HWY_INLINE SampleN sampleBrick(const BrickView& brick, const PointN& p)
         plane[k] = lerp(row[k][0], row[k][1], y.f);
     }
     SampleN s;
-    s.value = lerp(plane[0], plane[1], z.f);
+    s.value = lerp(plane[0], plane[1], z.f) + reference;
     s.valid = firstLanes(laneCount);
     if constexpr (withGradient) {
         const FloatN w = brick.reciprocalWidth;

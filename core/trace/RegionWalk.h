@@ -23,16 +23,24 @@ struct RayN
     FloatN dir[3];
 };
 
-/// Rays whose directions have the same signs, so that one order of a node's children is front to back for all.
-class RegionWalk
+/// Where rays meet a node's plane: [.., nearEnd] lies in the child before it, [farStart, ..] in that behind.
+struct CrossingN
+{
+    FloatN nearEnd, farStart;
+};
+
+/// Packets are split so that one order of a node's children is front to back for all their rays. Planes says where rays
+/// meet planes.
+template <class Planes>
+class KdWalk
 {
 public:
-    RegionWalk(std::span<const KdNode> nodes, const vec3i& origin, const RayN& ray, WalkStack& stack)
+    KdWalk(std::span<const KdNode> nodes, const vec3i& origin, const RayN& ray, WalkStack& stack)
         : nodes_(nodes.data()), stack_(stack.slots()), origin_(origin)
     {
         // A ray along a plane stays on one side of it. A huge reciprocal instead of infinity says so without NaNs: the
         // plane is met far away or long ago, and at t = 0 if the ray lies in it, which gives it to the upper side.
-        const FloatN tiny = 1e-30f;
+        const FloatN tiny = Planes::tiny;
         for (int axis = 0; axis < 3; ++axis) {
             org_[axis] = ray.org[axis];
             const MaskN flat = abs(ray.dir[axis]) < tiny;
@@ -93,20 +101,20 @@ private:
                                      WalkStack::Slot*& top) const
     {
         const int axis = node.axis;
-        const FloatN plane = 0.5f * static_cast<float>(node.plane - origin_[axis]);
-        const FloatN t = (plane - org_[axis]) * reciprocal_[axis];
+        const float plane = 0.5f * static_cast<float>(node.plane - origin_[axis]);
+        const CrossingN crossing = Planes::crossing(plane, org_[axis], reciprocal_[axis]);
         const std::uint32_t first = octant >> axis & 1;
-        const MaskN inNear = active & (t0 < t);
-        const MaskN inFar = active & (t < t1);
+        const MaskN inNear = active & (t0 < crossing.nearEnd);
+        const MaskN inFar = active & (crossing.farStart < t1);
         if (none(inFar))
             return node.child + first;
         if (none(inNear))
             return node.child + (1 - first);
         top->node = node.child + (1 - first);
-        store(max(t0, t), top->t0);
+        store(max(t0, crossing.farStart), top->t0);
         store(t1, top->t1);
         ++top;
-        t1 = min(t1, t);
+        t1 = min(t1, crossing.nearEnd);
         active = inNear;
         return node.child + first;
     }
@@ -118,6 +126,21 @@ private:
     FloatN reciprocal_[3];
     MaskN backwards_[3];
 };
+
+/// Taken as floats say they are: every point of a ray is in one region.
+struct SharpPlanes
+{
+    static constexpr float tiny = 1e-30f; ///< the least component of a direction
+
+    HWY_INLINE static CrossingN crossing(float plane, FloatN org, FloatN reciprocal)
+    {
+        const FloatN t = (FloatN(plane) - org) * reciprocal;
+        return {t, t};
+    }
+};
+
+/// The walk of everything that integrates.
+using RegionWalk = KdWalk<SharpPlanes>;
 
 } // namespace brickwall::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

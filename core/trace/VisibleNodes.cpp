@@ -1,6 +1,8 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "brickwall/core/trace/VisibleNodes.h"
 
+#include <algorithm>
+
 namespace brickwall {
 namespace {
 
@@ -14,16 +16,14 @@ KdNode emptyNode()
     return {0, 3, KdNode::emptyLeaf};
 }
 
-} // namespace
-
-std::vector<KdNode> visibleNodes(const RegionTree& tree, const PaddedField& field, const TransferTable& table,
-                                 const Executor& executor)
+/// `shows` says of a region whether a walk has to go there.
+template <class Shows>
+std::vector<KdNode> keepLeaves(const RegionTree& tree, const Executor& executor, const Shows& shows)
 {
     std::vector<KdNode> nodes = tree.nodes;
     executor.forEach(nodes.size(), 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            if (nodes[i].axis == 3 && !isEmpty(nodes[i]) &&
-                !(table.largestExtinction(field.regionRanges[nodes[i].child]) > 0.0f))
+            if (nodes[i].axis == 3 && !isEmpty(nodes[i]) && !shows(nodes[i].child))
                 nodes[i] = emptyNode();
         }
     });
@@ -33,6 +33,25 @@ std::vector<KdNode> visibleNodes(const RegionTree& tree, const PaddedField& fiel
             nodes[i] = emptyNode();
     }
     return nodes;
+}
+
+} // namespace
+
+std::vector<KdNode> visibleNodes(const RegionTree& tree, const PaddedField& field, const TransferIntegral& integral,
+                                 const Executor& executor)
+{
+    return keepLeaves(tree, executor,
+                      [&](std::uint32_t region) { return integral.largestExtinction(field.regionRanges[region]) > 0.0f; });
+}
+
+std::vector<KdNode> surfaceNodes(const RegionTree& tree, const PaddedField& field, std::span<const IsoSurface> surfaces,
+                                 const Executor& executor)
+{
+    return keepLeaves(tree, executor, [&](std::uint32_t region) {
+        const Range range = field.regionRanges[region];
+        return std::any_of(surfaces.begin(), surfaces.end(),
+                           [&](const IsoSurface& surface) { return range.contains(surface.value); });
+    });
 }
 
 } // namespace brickwall

@@ -1,0 +1,144 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "brickwall/core/trace/Surfaces.cpp"
+#include "brickwall/core/simd/ForEachTarget.h"
+
+#include "brickwall/core/trace/OneBrickPieces.h"
+#include "brickwall/core/trace/Packet.h"
+#include "brickwall/core/trace/SurfaceRay.h"
+#include "brickwall/core/trace/Surfaces.h"
+#include "brickwall/core/trace/WideWalk.h"
+
+#include <algorithm>
+#include <cmath>
+
+HWY_BEFORE_NAMESPACE();
+namespace brickwall::HWY_NAMESPACE {
+
+/// The visitor of a walk that finds, in lanes, pieces that may meet a surface and has rays decide, one by one.
+class SurfaceFinder
+{
+public:
+    SurfaceFinder(const TraceScene& scene, std::span<const IsoSurface> surfaces, const PacketN& packet,
+                  std::vector<SurfaceRay>& rays)
+        : scene_(scene), surfaces_(surfaces), ray_(packet.ray), rays_(rays)
+    {
+        const FloatN org = max(max(abs(ray_.org[0]), abs(ray_.org[1])), abs(ray_.org[2]));
+        // Floats of positions along the ray are right to that; `reach_` is a generous multiple.
+        reach_ = FloatN(1e-6f) * (org + packet.t1);
+        for (int i = 0; i < laneCount; ++i)
+            alive_[i] = 1.0f;
+    }
+
+    MaskN operator()(std::uint32_t index, MaskN active, FloatN t0, FloatN t1)
+    {
+        const Region& region = scene_.regions->regions[index];
+        counts.regionsVisited += count(active);
+        // Floats see nothing where they cannot tell a small part of a cell.
+        const MaskN blind = reach_ > FloatN(0.05f * static_cast<float>(1 << region.finestLevel));
+        const MaskN scanned = region.brickCount == 1 ? andNot(active, blind) : andNot(active, active);
+        search(index, andNot(active, scanned), t0, t1);
+        scan(index, region, scanned, t0, t1);
+        return load(alive_) > FloatN(0.5f);
+    }
+
+    TraceCounts counts;
+
+private:
+    /// For every t of a lane's piece, B(t) lies within the piece's coefficients, give or take `margin`: as far as B
+    /// changes over `reach_`, and what rounding makes of values. A short piece may have been given the cells of a
+    /// neighbour beyond the region.
+    void scan(std::uint32_t index, const Region& region, MaskN active, FloatN t0, FloatN t1)
+    {
+        const Range range = scene_.field->regionRanges[index], all = scene_.field->range;
+        const FloatN reachInCells = FloatN(4.0f / static_cast<float>(1 << region.finestLevel)) * reach_;
+        const FloatN rounding = 2e-6f * std::max(std::abs(range.lo), std::abs(range.hi));
+        const FloatN margin = fma(reachInCells, range.hi - range.lo, rounding);
+        const FloatN shortMargin = fma(reachInCells, all.hi - all.lo, rounding);
+        OneBrickPieces pieces(*scene_.regions, region, scene_.field->values.data(), scene_.origin, ray_, range.lo);
+        FloatN t = t0;
+        while (any(active)) {
+            const FloatN end = min(pieces.end(t, reach_), t1);
+            pieces.load(t, end);
+            const FloatN m = select(end - t < FloatN(4.0f) * reach_, shortMargin, margin);
+            const FloatN lo = pieces.least() - m, hi = pieces.largest() + m;
+            MaskN may = hi < lo;
+            for (const IsoSurface& surface : surfaces_)
+                may = may | ((lo <= FloatN(surface.value)) & (hi >= FloatN(surface.value)));
+            may = may & active;
+            if (any(may)) {
+                search(index, may, t, end);
+                active = active & (load(alive_) > FloatN(0.5f));
+            }
+            counts.piecesSkipped += count(active) - count(active & may);
+            t = end;
+            active = active & (t < t1);
+        }
+    }
+
+    void search(std::uint32_t index, MaskN active, FloatN t0, FloatN t1)
+    {
+        if (none(active))
+            return;
+        alignas(64) float on[16], from[16], to[16];
+        store(select(active, 1.0f, 0.0f), on);
+        store(t0, from);
+        store(t1, to);
+        for (int i = 0; i < laneCount; ++i)
+            if (on[i] != 0.0f && !rays_[i].search(index, from[i], to[i]))
+                alive_[i] = 0.0f;
+    }
+
+    const TraceScene& scene_;
+    std::span<const IsoSurface> surfaces_;
+    const RayN& ray_;
+    std::vector<SurfaceRay>& rays_;
+    FloatN reach_;
+    alignas(64) float alive_[16];
+};
+
+void surfacesKernel(const TraceScene& scene, std::span<const KdNode> nodes, std::span<const IsoSurface> surfaces,
+                    bool headlight, const RayTile& tile, SurfaceHits& found, TraceCounts& counts)
+{
+    WalkStack stack(scene.regions->depth);
+    std::vector<SurfaceRay> rays(laneCount, SurfaceRay(scene, surfaces, headlight));
+    for (int first = 0; first < tile.count; first += laneCount) {
+        const int used = std::min(laneCount, tile.count - first);
+        for (int i = 0; i < used; ++i)
+            rays[i].begin(tile, first + i);
+        const PacketN packet(tile, first);
+        SurfaceFinder finder(scene, surfaces, packet, rays);
+        const WideWalk walk(nodes, scene.origin, packet.ray, stack);
+        walk(packet.active, packet.t0, packet.t1, finder);
+        for (int i = 0; i < used; ++i) {
+            found.first[first + i] = static_cast<std::uint32_t>(found.hits.size());
+            found.hits.insert(found.hits.end(), rays[i].hits.begin(), rays[i].hits.end());
+        }
+        counts += finder.counts;
+    }
+    for (const SurfaceRay& ray : rays)
+        counts += ray.counts;
+}
+
+} // namespace brickwall::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace brickwall {
+
+HWY_EXPORT(surfacesKernel);
+
+void findSurfaces(const TraceScene& scene, std::span<const KdNode> nodes, std::span<const IsoSurface> surfaces,
+                  bool headlight, const RayTile& rays, SurfaceHits& found, TraceCounts& counts)
+{
+    found.hits.clear();
+    if (surfaces.empty()) {
+        found.first.fill(0);
+        return;
+    }
+    HWY_DYNAMIC_DISPATCH(surfacesKernel)(scene, nodes, surfaces, headlight, rays, found, counts);
+    std::fill(found.first.begin() + rays.count, found.first.end(), static_cast<std::uint32_t>(found.hits.size()));
+}
+
+} // namespace brickwall
+#endif
