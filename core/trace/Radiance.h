@@ -11,6 +11,8 @@
 #include "brickwall/core/trace/RegionWalk.h"
 #include "brickwall/core/trace/TraceTile.h"
 
+#include <algorithm>
+
 HWY_BEFORE_NAMESPACE();
 namespace brickwall::HWY_NAMESPACE {
 
@@ -42,7 +44,6 @@ struct RadianceN
         transmittance *= through;
     }
 
-private:
     /// Where in [0, 1] of a segment its contribution comes from on average: 1/d - e^-d / (1 - e^-d), a series where
     /// that would cancel. Keeps the depth of an opaque surface sharp.
     HWY_INLINE static FloatN meanDepth(FloatN depth, FloatN through, FloatN absorbed)
@@ -61,10 +62,13 @@ public:
     {
         // Fields may be as small as 1e-30: their gradients are scaled so that the squares do not vanish.
         const float span = scene.field->range.span();
-        scale_ = span > 0.0f ? 1.0f / span : 1.0f;
+        scale_ = span > 0.0f ? std::min(1.0f / span, 1e37f) : 1.0f;
     }
 
-    HWY_INLINE FloatN operator()(const PointN& gradient) const
+    HWY_INLINE FloatN operator()(const PointN& gradient) const { return abs(cosine(gradient)); }
+
+    /// With the sign of the slope along the ray; 1 where there is no gradient.
+    HWY_INLINE FloatN cosine(const PointN& gradient) const
     {
         const FloatN x = gradient.x * scale_, y = gradient.y * scale_, z = gradient.z * scale_;
         const FloatN along = fma(x, ray_.dir[0], fma(y, ray_.dir[1], z * ray_.dir[2]));
@@ -72,7 +76,7 @@ public:
         const FloatN gy = fma(x, metric_[3], fma(y, metric_[1], z * metric_[5]));
         const FloatN gz = fma(x, metric_[4], fma(y, metric_[5], z * metric_[2]));
         const FloatN squared = fma(x, gx, fma(y, gy, z * gz));
-        const FloatN cosine = min(abs(along) * reciprocalStretch_ / sqrt(squared), 1.0f);
+        const FloatN cosine = clamp(along * reciprocalStretch_ / sqrt(squared), -1.0f, 1.0f);
         return select(squared > FloatN(1e-24f), cosine, 1.0f);
     }
 

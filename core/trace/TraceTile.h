@@ -3,6 +3,8 @@
 
 #include "brickwall/core/model/Regions.h"
 #include "brickwall/core/shade/TransferFunction.h"
+#include "brickwall/core/shade/TransferIntegral.h"
+#include "brickwall/core/trace/RegionBounds.h"
 
 #include <array>
 #include <cstdint>
@@ -25,6 +27,8 @@ struct RayTile
     alignas(64) std::array<PerRay<float>, 3> dir{};
     alignas(64) PerRay<float> tNear{};
     alignas(64) PerRay<float> tFar{};
+    /// Where the whole ray ends, if [tNear, tFar] is a part of it; not used if less than tFar.
+    alignas(64) PerRay<float> tEnd{};
     alignas(64) PerRay<float> offset{};       ///< of the sample planes, in steps, in [0, 1)
     alignas(64) PerRay<float> worldStretch{}; ///< length in world space of `dir`
 };
@@ -63,11 +67,20 @@ struct TraceScene
     std::span<const KdNode> nodes; ///< the tree's, or what `visibleNodes` made of them
     const PaddedField* field = nullptr;
     const TransferTable* table = nullptr;
+    const TransferIntegral* integral = nullptr; ///< of the same transfer function; not needed by fixed and midpoint
+    std::span<const RegionBounds> regionBounds; ///< one per region; for the bounded method
     /// Half voxels; a point near the eye and the data, so that floats relative to it are precise.
     vec3i origin{0};
     /// G = worldFromVoxel^-1 worldFromVoxel^-T (xx, yy, zz, xy, xz, yz): a gradient g in voxel space has the length
     /// sqrt(g G g) in world space.
     std::array<float, 6> gradientMetric{1, 1, 1, 0, 0, 0};
+};
+
+/// What the bounded method keeps: see Renderer.h.
+struct BoundedParameters
+{
+    float tolerance = 1.0f / 255.0f;
+    bool headlight = false;
 };
 
 struct StepParameters
@@ -83,6 +96,26 @@ struct StepParameters
 /// Midpoint sampling in steps of dt finest cell widths of a region (Wald et al., "Ray Tracing Structured AMR Data Using
 /// ExaBricks", 2021), samples being weighted by the true length of their segment.
 void traceMidpoint(const TraceScene& scene, const StepParameters& parameters, const RayTile& rays, TileResult& result);
+
+/// The Riemann sum over planes t = (offset + k) dt of the whole ray, dt in finest cells of the data: a sample stands
+/// for the step behind it. First order.
+void traceFixed(const TraceScene& scene, const StepParameters& parameters, const RayTile& rays, TileResult& result);
+
+/// Midpoint sampling; where two consecutive samples of a region straddle an edge of TransferIntegral::visible, or all
+/// of it, a binary search of depth log2(dt / 0.005) finds the edges, and what is visible between the two has a sample
+/// of its own (ExaBrick's way to keep thin features).
+void traceBracket(const TraceScene& scene, const StepParameters& parameters, const RayTile& rays, TileResult& result);
+
+/// Segments as in midpoint sampling, with samples at their ends: exact optical depth for a field that is linear in
+/// between (Engel, Kraus, Ertl 2001, with one-dimensional integrals), a segment's mean colour attenuated by itself.
+void tracePreintegrated(const TraceScene& scene, const StepParameters& parameters, const RayTile& rays,
+                        TileResult& result);
+
+/// Spends an error budget per ray: segments of a region are sampled at steps that its bounds allow, or taken piece by
+/// piece between planes through cell centres, with the mean of the transfer function over the values of each part,
+/// which are halved until the estimated error fits (docs/speed-accuracy.md). Fills TileResult::error.
+void traceBounded(const TraceScene& scene, const BoundedParameters& parameters, const RayTile& rays,
+                  TileResult& result);
 
 /// Walks the rays of a tile and only counts the regions they visit: for benchmarks.
 std::uint64_t countRegions(const TraceScene& scene, const RayTile& rays);

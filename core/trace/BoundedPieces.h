@@ -1,0 +1,175 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+/// The careful half of the bounded method: piece by piece between planes through cell centres, each in parts that are
+/// as long as the budget allows. Per instruction set, see core/simd/Lanes.h.
+#if defined(BRICKWALL_CORE_TRACE_BOUNDED_PIECES_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef BRICKWALL_CORE_TRACE_BOUNDED_PIECES_H
+#undef BRICKWALL_CORE_TRACE_BOUNDED_PIECES_H
+#else
+#define BRICKWALL_CORE_TRACE_BOUNDED_PIECES_H
+#endif
+
+#include "brickwall/core/trace/BoundedRays.h"
+#include "brickwall/core/trace/RegionBounds.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace brickwall::HWY_NAMESPACE {
+
+/// Pieces: OneBrickPieces or SeveralBricksPieces.
+template <class Pieces, bool shaded>
+class BoundedPieces
+{
+public:
+    HWY_INLINE BoundedPieces(BoundedRays& rays, const Region& region, std::uint32_t index)
+        : rays_(rays),
+          bounds_(rays.scene.regionBounds[index]),
+          piece_(*rays.scene.regions, region, rays.scene.field->values.data(), rays.scene.origin, rays.ray,
+                 rays.scene.field->regionRanges[index].lo),
+          width_(static_cast<float>(1 << region.finestLevel)),
+          carried_(firstLanes(0)),
+          last_{rays.scene.field->regionRanges[index].lo, 0.0f,
+                rays.lookup.at(rays.scene.field->regionRanges[index].lo, carried_), 1.0f}
+    {
+    }
+
+    /// Through [t0, t1] of the region, in lanes where t0 < t1.
+    HWY_INLINE void operator()(MaskN todo, FloatN t0, FloatN t1)
+    {
+        const Range visible = rays_.scene.integral->visible;
+        const FloatN least = fma(max(abs(t0), abs(t1)), tuning::planeRounding, tuning::planeRoundingInCells * width_);
+        FloatN t = t0;
+        while (any(todo)) {
+            FloatN end = piece_.end(t, least);
+            end = select(end + least < t1, end, t1);
+            piece_.load(t, end);
+            rays_.counts.fetches += count(todo) * piece_.fetches();
+            const MaskN seen = todo & (piece_.largest() >= FloatN(visible.lo)) & (piece_.least() <= FloatN(visible.hi));
+            rays_.counts.piecesSkipped += count(todo) - count(seen);
+            const QuadN before = rays_.last;
+            rays_.last = select(todo, QuadN{0.0f, 0.0f, 0.0f, 0.0f}, rays_.last);
+            if (any(seen))
+                refine(seen, t, end - t);
+            carried_ = carried_ & seen;
+            suggestStep(todo, before, t, end);
+            t = end;
+            todo = todo & (t < t1) & rays_.goOn();
+        }
+    }
+
+private:
+    /// Goes through a piece: a part that does not fit is halved, one that does is followed by one of twice its length.
+    HWY_INLINE void refine(MaskN todo, FloatN t0, FloatN length)
+    {
+        if constexpr (shaded)
+            piece_.loadGradient();
+        FloatN s = 0.0f, h = 1.0f;
+        PlaceN a = startOf(todo);
+        const FloatN perLength = rays_.budget.perLength(t0);
+        const MaskN all = todo;
+        MaskN split = firstLanes(0);
+        while (any(todo)) {
+            const PlaceN b = placeAt(s + h, todo);
+            const ExtentN extent{piece_.enclosure(s, s + h), bounds_.variation, h, h * length};
+            const FloatN t = fma(s, length, t0), most = mostError(extent);
+            const PartN whole = wholePart<shaded>(rays_.lookup, a, b, extent);
+            MaskN good = todo & fits(whole, extent, perLength);
+            rays_.add(good, whole, most, t, extent.length);
+            const MaskN rest = andNot(todo, good);
+            if (any(rest)) {
+                const PlaceN m = placeAt(fma(0.5f, h, s), rest);
+                const PartN halves = halvedPart<shaded>(rays_.lookup, a, m, b, whole.segment, extent);
+                const MaskN better = rest & (fits(halves, extent, perLength) | (h <= FloatN(tuning::shortestPart)));
+                rays_.add(better, halves, most, t, extent.length);
+                good = good | better;
+                split = split | andNot(rest, better);
+            }
+            s = select(good, s + h, s);
+            copyWhere(good, b, a);
+            h = select(good, min(h + h, FloatN(1.0f) - s), FloatN(0.5f) * h);
+            todo = todo & (s < FloatN(1.0f - 0.5f * tuning::shortestPart)) & rays_.goOn();
+        }
+        carry(all, a);
+        rays_.counts.piecesSplit += count(split);
+    }
+
+    /// Of a part, per transmittance, if nothing of what was taken to be there is.
+    HWY_INLINE FloatN mostError(const ExtentN& extent) const
+    {
+        return min(FloatN(bounds_.extinction) * extent.length, 1.0f);
+    }
+
+    HWY_INLINE MaskN fits(const PartN& part, const ExtentN& extent, FloatN perLength) const
+    {
+        const FloatN through = rays_.radiance.transmittance, opacity = part.segment.opacity;
+        const FloatN allowed = max(rays_.budget.share(perLength, extent.length, opacity),
+                                   through * opacity * FloatN(tuning::opacityRounding));
+        return through * min(part.error, mostError(extent)) <= allowed;
+    }
+
+    HWY_INLINE PlaceN placeAt(FloatN s, MaskN lanes)
+    {
+        PlaceN place;
+        piece_.at(s, place.value, place.slope);
+        place.look = rays_.lookup.at(place.value, lanes);
+        place.shade = shadeAt(s);
+        rays_.counts.samples += count(lanes);
+        return place;
+    }
+
+    HWY_INLINE FloatN shadeAt(FloatN s) const
+    {
+        if constexpr (shaded)
+            return rays_.headlight.cosine(piece_.gradientAt(s));
+        else
+            return 1.0f;
+    }
+
+    /// The place at the start of a piece: B is continuous, so that what the last piece looked up at its end is still
+    /// true. Its slope and the light are not.
+    HWY_INLINE PlaceN startOf(MaskN lanes)
+    {
+        if (any(andNot(lanes, carried_))) {
+            PlaceN place = placeAt(0.0f, lanes);
+            copyWhere(lanes & carried_, last_.look, place.look);
+            return place;
+        }
+        PlaceN place = last_;
+        piece_.at(0.0f, place.value, place.slope);
+        place.shade = shadeAt(0.0f);
+        return place;
+    }
+
+    /// Keeps the end of a piece for the next one, and for steps.
+    HWY_INLINE void carry(MaskN lanes, const PlaceN& end)
+    {
+        const QuadN density = end.look.density();
+        const FloatN shade = abs(end.shade);
+        rays_.last =
+            select(lanes, QuadN{density.a * shade, density.b * shade, density.c * shade, density.d}, rays_.last);
+        copyWhere(lanes, end, last_);
+        carried_ = lanes;
+    }
+
+    /// What the change over a piece says of steps with samples.
+    HWY_INLINE void suggestStep(MaskN lanes, const QuadN& before, FloatN t, FloatN end)
+    {
+        BoundedRays& r = rays_;
+        const FloatN h = end - t, change = r.changeTo(before) + (shaded ? r.last.d : FloatN(0.0f));
+        const FloatN errs = r.radiance.transmittance * h * FloatN(0.25f) * change;
+        const FloatN allowed = r.budget.squares(r.budget.perLength(t)) * h;
+        const FloatN wanted = cubeRoot(allowed / max(errs * errs, FloatN(1e-30f)));
+        r.step = select(lanes, h * min(wanted, 2.0f), r.step);
+        r.lastAt = select(lanes, end, r.lastAt);
+    }
+
+    BoundedRays& rays_;
+    const RegionBounds& bounds_;
+    Pieces piece_;
+    float width_;   ///< of a cell
+    MaskN carried_; ///< where last_ is the end of the piece before
+    PlaceN last_;
+};
+
+} // namespace brickwall::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

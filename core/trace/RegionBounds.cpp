@@ -1,0 +1,24 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#include "brickwall/core/trace/RegionBounds.h"
+
+namespace brickwall {
+
+std::vector<RegionBounds> regionBounds(const PaddedField& field, const TransferIntegral& integral,
+                                       const Executor& executor)
+{
+    std::vector<RegionBounds> bounds(field.regionRanges.size());
+    executor.forEach(bounds.size(), 1024, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Range& range = field.regionRanges[i];
+            bounds[i].extinction = integral.largestExtinction(range);
+            if (!(bounds[i].extinction > 0.0f))
+                continue;
+            bounds[i].variation = integral.largestVariation(range);
+            if (field.regionSlopes[i] > 0.0f) // a step times nothing is nothing
+                bounds[i].variationAlong = bounds[i].variation * field.regionSlopes[i];
+        }
+    });
+    return bounds;
+}
+
+} // namespace brickwall

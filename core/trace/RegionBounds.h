@@ -1,0 +1,29 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "brickwall/core/base/Executor.h"
+#include "brickwall/core/model/Regions.h"
+#include "brickwall/core/shade/TransferIntegral.h"
+
+#include <vector>
+
+namespace brickwall {
+
+/// How much a region can do to a ray, from its values and the transfer function alone: what the bounded method knows
+/// before it has fetched a single cell.
+struct RegionBounds
+{
+    float extinction = 0.0f; ///< the largest, per voxel
+    /// How fast (c - C) sigma changes with the value, at most, per voxel, for the worst colour C behind; may be
+    /// infinite.
+    float variation = 0.0f;
+    /// The same along any ray, per voxel and voxel: a sample in the middle of a segment of length h errs by at most
+    /// T variationAlong h^2 / 4.
+    float variationAlong = 0.0f;
+};
+
+/// One per region.
+std::vector<RegionBounds> regionBounds(const PaddedField& field, const TransferIntegral& integral,
+                                       const Executor& executor);
+
+} // namespace brickwall
