@@ -33,11 +33,12 @@ FrameDifference compareFrames(const Frame& a, const Frame& b)
     const double count = std::max<double>(1.0, 4.0 * double(a.color.size()));
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if (result.nonFinite > 0) {
-        result.mean = result.max = infinity;
+        result.mean = result.max = result.rms = infinity;
         result.psnr = -infinity;
         return result;
     }
     result.mean = sum / count;
+    result.rms = std::sqrt(squares / count);
     result.psnr = squares > 0.0 ? -10.0 * std::log10(squares / count) : infinity;
     return result;
 }

@@ -12,9 +12,10 @@ struct FrameDifference
 {
     double mean = 0.0; ///< of the absolute differences
     double max = 0.0;  ///< of the absolute differences
-    double psnr = 0.0; ///< dB with peak 1; infinite for equal frames
-    /// Components that are not finite in either frame. Each counts as infinitely different, so that then mean and max
-    /// are infinite and psnr is minus infinity; never a NaN.
+    double rms = 0.0;  ///< square root of the mean of the squared differences
+    double psnr = 0.0; ///< dB with peak 1: -20 log10(rms); infinite for equal frames
+    /// Components that are not finite in either frame. Each counts as infinitely different, so that then mean, max and
+    /// rms are infinite and psnr is minus infinity; never a NaN.
     std::uint64_t nonFinite = 0;
 };
 

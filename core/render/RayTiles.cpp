@@ -139,13 +139,13 @@ void ViewRays::setRay(int ray, const vec3d& direction, RayTile& rays) const
         rays.dir[axis][ray] = static_cast<float>(direction[axis]);
     }
     rays.tNear[ray] = inside ? static_cast<float>(std::max(0.0, inside->first - start_)) : 0.0f;
-    rays.tFar[ray] = inside ? static_cast<float>(std::max(0.0, inside->second - start_)) : 0.0f;
+    rays.tEnd[ray] = rays.tFar[ray] = inside ? static_cast<float>(std::max(0.0, inside->second - start_)) : 0.0f;
 }
 
 void ViewRays::endAt(int ray, double t, const TilePixels& pixels, RayTile& rays) const
 {
     const double end = std::max(0.0, tileFromWorld(ray, t, pixels));
-    rays.tFar[ray] = std::min(rays.tFar[ray], static_cast<float>(end));
+    rays.tEnd[ray] = rays.tFar[ray] = std::min(rays.tFar[ray], static_cast<float>(end));
 }
 
 float ViewRays::depthAt(int ray, double t, const TilePixels& pixels) const

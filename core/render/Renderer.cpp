@@ -14,6 +14,7 @@
 #include <chrono>
 #include <cmath>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 namespace brickwall {
@@ -47,11 +48,35 @@ void checkSteps(const StepConfig& config, const Box3i& halfBounds)
                     fmt::format("expected more than 0 and at most 1, found {:g}", config.terminationOpacity));
 }
 
-std::array<float, 6> gradientMetric(const mat4d& worldFromVoxel)
+void checkSurface(const IsoSurface& surface)
+{
+    if (!std::isfinite(surface.value))
+        throw Error("isosurface", fmt::format("expected a finite value, found {:g}", surface.value));
+    for (int c = 0; c < 3; ++c)
+        if (!(surface.color[c] >= 0.0f && surface.color[c] <= 1.0f))
+            throw Error("isosurface",
+                        fmt::format("expected a colour with components in [0, 1], found {:g}", surface.color[c]));
+    if (!(surface.opacity > 0.0f && surface.opacity <= 1.0f))
+        throw Error("isosurface",
+                    fmt::format("expected an opacity of more than 0 and at most 1, found {:g}", surface.opacity));
+}
+
+void checkTolerance(const BoundedConfig& config)
+{
+    if (!(config.tolerance > 0.0f && config.tolerance <= 1.0f))
+        throw Error("tolerance", fmt::format("expected more than 0 and at most 1, found {:g}", config.tolerance));
+}
+
+std::array<double, 6> gradientMetric(const mat4d& worldFromVoxel)
 {
     const glm::dmat3 inverse = glm::inverse(glm::dmat3(worldFromVoxel));
     const glm::dmat3 g = inverse * glm::transpose(inverse);
-    return {float(g[0][0]), float(g[1][1]), float(g[2][2]), float(g[0][1]), float(g[0][2]), float(g[1][2])};
+    return {g[0][0], g[1][1], g[2][2], g[0][1], g[0][2], g[1][2]};
+}
+
+std::array<float, 6> toFloat(const std::array<double, 6>& a)
+{
+    return {float(a[0]), float(a[1]), float(a[2]), float(a[3]), float(a[4]), float(a[5])};
 }
 
 Frame emptyFrame(const View& view)
@@ -106,8 +131,9 @@ ViewStatistics statisticsOf(const View& view, const Counters& counters, std::uin
     s.largestBound = c.largestBound;
     s.pixelsBeyond = c.pixelsBeyond;
     if (c.pixelsBeyond > 0)
-        s.beyondBecause =
-            fmt::format("a tolerance of {:g} is finer than 32-bit floats resolve there", settings.bounded.tolerance);
+        s.beyondBecause = fmt::format("their own estimate of the error is above {:g}, where rounding of 32-bit floats "
+                                      "decides (rays that touch thin shells) or parts could not be split any further",
+                                      settings.bounded.tolerance);
     return s;
 }
 
@@ -118,17 +144,34 @@ struct Renderer::State
     Scene scene;
     const Executor& executor;
     TransferTable table;
+    TransferIntegral integral;
+    std::vector<RegionBounds> bounds;
     std::vector<KdNode> nodes; ///< of the tree, without what the transfer function hides
+    std::vector<KdNode> surfaceNodes;
 
-    TraceScene traceScene() const
+    TileScene tileScene() const
     {
-        TraceScene s;
-        s.regions = scene.regions.get();
-        s.nodes = nodes;
-        s.field = scene.field.get();
-        s.table = &table;
-        s.gradientMetric = gradientMetric(scene.worldFromVoxel);
+        TileScene s;
+        s.volume.regions = scene.regions.get();
+        s.volume.nodes = nodes;
+        s.volume.field = scene.field.get();
+        s.volume.table = &table;
+        s.volume.integral = &integral;
+        s.volume.regionBounds = bounds;
+        s.volume.gradientMetric = toFloat(gradientMetric(scene.worldFromVoxel));
+        s.surfaces = scene.surfaces;
+        s.surfaceNodes = surfaceNodes;
+        s.triangles = scene.triangles.get();
         return s;
+    }
+
+    /// For one call of render: it is small, and made anew only for that method.
+    std::optional<ReferenceIntegrator> reference(const RenderSettings& settings) const
+    {
+        if (settings.method != Method::reference)
+            return {};
+        return ReferenceIntegrator(*scene.regions, *scene.field, scene.transferFunction, scene.surfaces,
+                                   gradientMetric(scene.worldFromVoxel), settings.shading == Shading::headlight);
     }
 };
 
@@ -136,8 +179,9 @@ Renderer::Renderer(Scene scene, const Executor& executor)
 {
     checkScene(scene);
     const TransferFunction transferFunction = scene.transferFunction;
-    state_ = std::make_unique<State>(State{std::move(scene), executor, {}, {}});
+    state_ = std::make_unique<State>(State{std::move(scene), executor, {}, {}, {}, {}, {}});
     setTransferFunction(transferFunction);
+    setSurfaces(std::vector<IsoSurface>(state_->scene.surfaces));
 }
 
 Renderer::~Renderer() = default;
@@ -149,10 +193,23 @@ const Scene& Renderer::scene() const
 
 void Renderer::setTransferFunction(const TransferFunction& transferFunction)
 {
+    const Scene& scene = state_->scene;
     TransferTable table = tabulate(transferFunction, tableSize);
-    state_->nodes = visibleNodes(*state_->scene.regions, *state_->scene.field, table, state_->executor);
+    state_->integral = integrate(transferFunction);
+    state_->bounds = regionBounds(*scene.field, state_->integral, state_->executor);
+    state_->nodes = visibleNodes(*scene.regions, *scene.field, state_->integral, state_->executor);
     state_->table = std::move(table);
     state_->scene.transferFunction = transferFunction;
+}
+
+void Renderer::setSurfaces(std::vector<IsoSurface> surfaces)
+{
+    for (const IsoSurface& surface : surfaces)
+        checkSurface(surface);
+    const Scene& scene = state_->scene;
+    if (!surfaces.empty())
+        state_->surfaceNodes = surfaceNodes(*scene.regions, *scene.field, surfaces, state_->executor);
+    state_->scene.surfaces = std::move(surfaces);
 }
 
 std::vector<Frame> Renderer::render(std::span<const View> views, const RenderSettings& settings, Progress& progress,
@@ -160,11 +217,15 @@ std::vector<Frame> Renderer::render(std::span<const View> views, const RenderSet
 {
     const Scene& scene = state_->scene;
     checkSteps(settings.step, scene.regions->bounds);
+    checkTolerance(settings.bounded);
+    const std::optional<ReferenceIntegrator> reference = state_->reference(settings);
+    TileScene tileScene = state_->tileScene();
+    tileScene.reference = reference ? &*reference : nullptr;
     std::vector<TileRenderer> renderers;
     std::vector<Frame> frames;
     for (const View& view : views) {
         renderers.emplace_back(ViewRays(view, scene.regions->bounds, scene.worldFromVoxel, settings.step.interleave),
-                               state_->traceScene(), scene.triangles.get(), settings);
+                               tileScene, settings);
         frames.push_back(emptyFrame(view));
     }
 

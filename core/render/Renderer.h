@@ -100,6 +100,8 @@ public:
 
     /// Only the visible part changes: the regions and the field stay.
     void setTransferFunction(const TransferFunction& transferFunction);
+    /// Throws Error if a value, a colour or an opacity is out of its bounds; then nothing has changed.
+    void setSurfaces(std::vector<IsoSurface> surfaces);
 
     /// Rays that one instruction handles, and the name of the instruction set, as chosen on this machine.
     static int lanes();

@@ -26,6 +26,7 @@ TEST(Compare, EqualFramesAreInfinitelyAlike)
     const FrameDifference d = compareFrames(grey(4, 3, 0.3f), grey(4, 3, 0.3f));
     EXPECT_EQ(d.mean, 0.0);
     EXPECT_EQ(d.max, 0.0);
+    EXPECT_EQ(d.rms, 0.0);
     EXPECT_EQ(d.psnr, INFINITY);
     EXPECT_EQ(d.nonFinite, 0u);
 }
@@ -35,6 +36,7 @@ TEST(Compare, ConstantOffsetHasItsClosedForm)
     const FrameDifference d = compareFrames(grey(4, 3, 0.25f), grey(4, 3, 0.35f));
     EXPECT_NEAR(d.mean, 0.1, 1e-7);
     EXPECT_NEAR(d.max, 0.1, 1e-7);
+    EXPECT_NEAR(d.rms, 0.1, 1e-7);
     EXPECT_NEAR(d.psnr, 20.0, 1e-5); // -20 log10(0.1)
 }
 
@@ -45,6 +47,7 @@ TEST(Compare, OneComponentOfOnePixelCounts)
     const FrameDifference d = compareFrames(grey(10, 10, 0.5f), frame);
     EXPECT_NEAR(d.max, 0.4, 1e-6);
     EXPECT_NEAR(d.mean, 0.4 / 400.0, 1e-8);
+    EXPECT_NEAR(d.rms, 0.4 / 20.0, 1e-7);
     EXPECT_NEAR(d.psnr, -10.0 * std::log10(0.16 / 400.0), 1e-4);
 }
 
@@ -57,6 +60,7 @@ TEST(Compare, NanIsInfinitelyDifferentEvenFromItself)
         EXPECT_EQ(d.nonFinite, 1u);
         EXPECT_EQ(d.max, INFINITY);
         EXPECT_EQ(d.mean, INFINITY);
+        EXPECT_EQ(d.rms, INFINITY);
         EXPECT_EQ(d.psnr, -INFINITY);
     }
 }

@@ -121,8 +121,9 @@ TEST_F(RenderInvariance, SkippedRegionsChangeNothing)
 {
     const Executor serial(1);
     // Most of the data is transparent, and most regions therefore invisible.
-    const TransferTable table = tabulate(extinctionRamp({0.85f, 0.95f}, 0.0f, 0.7f, false));
-    const auto visible = visibleNodes(*scene.regions, *scene.field, table, serial);
+    const TransferFunction tf = extinctionRamp({0.85f, 0.95f}, 0.0f, 0.7f, false);
+    const TransferTable table = tabulate(tf);
+    const auto visible = visibleNodes(*scene.regions, *scene.field, integrate(tf), serial);
     const ViewRays rays(view, scene.regions->bounds, mat4d(1.0), true);
     TraceScene s;
     s.regions = scene.regions.get();
