@@ -2,6 +2,7 @@
 #include "brickwall/core/base/Error.h"
 #include "brickwall/core/io/AmrexFab.h"
 #include "brickwall/core/io/AmrexPlan.h"
+#include "brickwall/core/io/EmptyCells.h"
 #include "brickwall/core/io/FieldNames.h"
 #include "brickwall/core/io/Formats.h"
 #include "brickwall/core/model/CheckModel.h"
@@ -39,8 +40,11 @@ FabLayout checkedLayout(const InputFile& file, const AmrexPlotLevel& level, std:
 class FieldReader
 {
 public:
-    FieldReader(const AmrexPlan& plan, const AmrexHeader& header, std::size_t component)
-        : plan_(plan), name_(header.components[component]), component_(static_cast<std::int64_t>(component))
+    FieldReader(const AmrexPlan& plan, const AmrexHeader& header, std::size_t component, NonFinite nonFinite)
+        : plan_(plan),
+          name_(header.components[component]),
+          component_(static_cast<std::int64_t>(component)),
+          nonFinite_(nonFinite)
     {
     }
 
@@ -103,7 +107,7 @@ private:
                 for (int x = c.lower.x; x < c.upper.x; ++x) {
                     const double value = slab.at(x, y, z);
                     *out = static_cast<float>(value);
-                    if (!std::isfinite(*out++))
+                    if (!std::isfinite(*out++) && nonFinite_ == NonFinite::error)
                         failNotFinite(value, place, name_, fmt::format("cell ({},{},{})", x, y, z));
                 }
             }
@@ -112,6 +116,7 @@ private:
     const AmrexPlan& plan_;
     std::string name_;
     std::int64_t component_;
+    NonFinite nonFinite_;
 };
 
 class Plotfile : public DataSet
@@ -130,20 +135,23 @@ public:
         return header_.components[0];
     }
 
-    Model load(std::span<const std::string> fields, const Executor& executor, Progress& progress) const override
+    Model load(std::span<const std::string> fields, const Executor& executor, Progress& progress,
+               NonFinite nonFinite) const override
     {
         const auto wanted = fieldIndices(header_.components, fields, folder_);
         AmrexPlan plan = planPlotfile(folder_, header_, executor, progress);
         Model model;
         model.name = stemOf(folder_);
         for (const std::size_t component : wanted)
-            model.fields.push_back(FieldReader(plan, header_, component).read(executor, progress));
+            model.fields.push_back(FieldReader(plan, header_, component, nonFinite).read(executor, progress));
         model.worldFromVoxel = worldFromVoxel();
         model.bricks = std::move(plan.bricks);
         model.cellCount = plan.cellCount;
         if (plan.coveredCells > 0)
             model.notes.push_back(
                 fmt::format("{}: {} cells left out that finer levels cover", folder_, plan.coveredCells));
+        if (nonFinite == NonFinite::empty)
+            leaveOutNonFinite(model, folder_, executor, progress);
         for (const std::string& note : model.notes)
             progress.note(note);
         checkModel(model, folder_);

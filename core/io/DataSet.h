@@ -12,6 +12,12 @@
 
 namespace brickwall {
 
+/// What is done about a cell whose value is a NaN or infinite.
+enum class NonFinite {
+    error, ///< an Error that names file, field and cell
+    empty, ///< there is no such cell: the data have a hole there, and the model's notes say how many
+};
+
 /// An opened data set: its fields are known by name, values are read when asked for.
 class DataSet
 {
@@ -24,7 +30,8 @@ public:
     virtual std::string defaultField() const = 0;
     /// The bricks with the values of these fields, in this order. Throws Error for an unknown name (listing those there
     /// are), for anything broken in the files, and Cancelled. May be called several times, from one thread at a time.
-    virtual Model load(std::span<const std::string> fields, const Executor& executor, Progress& progress) const = 0;
+    virtual Model load(std::span<const std::string> fields, const Executor& executor, Progress& progress,
+                       NonFinite nonFinite = NonFinite::error) const = 0;
 };
 
 /// One format. Which reader answers is decided by what is in the file, not by its name.

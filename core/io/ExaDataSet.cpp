@@ -2,6 +2,7 @@
 #include "brickwall/core/io/ExaDataSet.h"
 
 #include "brickwall/core/base/Error.h"
+#include "brickwall/core/io/EmptyCells.h"
 #include "brickwall/core/io/FieldNames.h"
 #include "brickwall/core/io/Formats.h"
 #include "brickwall/core/model/CheckModel.h"
@@ -33,20 +34,23 @@ public:
 
     std::string defaultField() const override { return parts_.fields.empty() ? "" : parts_.fields[0].name; }
 
-    Model load(std::span<const std::string> fields, const Executor& executor, Progress& progress) const override
+    Model load(std::span<const std::string> fields, const Executor& executor, Progress& progress,
+               NonFinite nonFinite) const override
     {
         const auto wanted = fieldIndices(fieldNames(), fields, parts_.data);
         ExaGeometry geometry = parts_.cells ? readCells(parts_.geometry, executor, progress)
                                             : readBricks(parts_.geometry, executor, progress);
         Model model;
         model.name = stemOf(parts_.data);
-        model.fields = readExaFields(parts_.fields, wanted, geometry, executor, progress);
+        model.fields = readExaFields(parts_.fields, wanted, geometry, nonFinite, executor, progress);
         if (!parts_.triangles.empty())
             model.meshes = readTriangles(parts_.triangles, progress);
         model.worldFromVoxel = parts_.worldFromVoxel;
         model.bricks = std::move(geometry.bricks);
         model.cellCount = geometry.cellCount;
         model.notes = std::move(geometry.notes);
+        if (nonFinite == NonFinite::empty)
+            leaveOutNonFinite(model, parts_.geometry, executor, progress);
         for (const std::string& note : model.notes)
             progress.note(note);
         checkModel(model, parts_.geometry);

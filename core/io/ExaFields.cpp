@@ -135,7 +135,8 @@ void checkFinite(const ExaField& field, const std::vector<float>& values, const 
 } // namespace
 
 std::vector<Field> readExaFields(std::span<const ExaField> all, std::span<const std::size_t> wanted,
-                                 const ExaGeometry& geometry, const Executor& executor, Progress& progress)
+                                 const ExaGeometry& geometry, NonFinite nonFinite, const Executor& executor,
+                                 Progress& progress)
 {
     Reader reader(all, geometry, executor, progress);
     // Only expressions ask for a field again, and then a copy has to stay with the reader.
@@ -147,7 +148,8 @@ std::vector<Field> readExaFields(std::span<const ExaField> all, std::span<const 
         Field field;
         field.name = declared.name;
         field.values = expressions ? reader.values(index) : reader.take(index);
-        checkFinite(declared, field.values, geometry);
+        if (nonFinite == NonFinite::error)
+            checkFinite(declared, field.values, geometry);
         field.range = rangeOf(field.values);
         field.preferredRange = declared.preferredRange;
         fields.push_back(std::move(field));

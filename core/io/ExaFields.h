@@ -1,6 +1,7 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "brickwall/core/io/DataSet.h"
 #include "brickwall/core/io/ExaGeometry.h"
 #include "brickwall/core/io/Postfix.h"
 
@@ -23,8 +24,10 @@ struct ExaField
 };
 
 /// The fields with these indices, read and evaluated for the cells of `geometry` alone. Throws Error, naming file or
-/// declaration and the cell, for IDs outside a file and for values that are not finite.
+/// declaration and the cell, for IDs outside a file and, unless these make a cell empty, for values that are not
+/// finite.
 std::vector<Field> readExaFields(std::span<const ExaField> all, std::span<const std::size_t> wanted,
-                                 const ExaGeometry& geometry, const Executor& executor, Progress& progress);
+                                 const ExaGeometry& geometry, NonFinite nonFinite, const Executor& executor,
+                                 Progress& progress);
 
 } // namespace brickwall

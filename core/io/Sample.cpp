@@ -68,7 +68,9 @@ public:
 
     std::string defaultField() const override { return set_.fields.front().name; }
 
-    Model load(std::span<const std::string> names, const Executor& executor, Progress& progress) const override
+    /// All values are finite.
+    Model load(std::span<const std::string> names, const Executor& executor, Progress& progress,
+               NonFinite) const override
     {
         std::vector<const ProceduralField*> fields;
         for (const std::string& name : names)

@@ -233,6 +233,22 @@ TEST_F(Amrex, NonFiniteValuesNameFileFieldAndCell)
     EXPECT_NO_THROW(loadData(folder_));
 }
 
+TEST_F(Amrex, NonFiniteValuesBecomeEmptyCellsIfAskedFor)
+{
+    Plotfile3 p = threeLevels();
+    write(p);
+    const CellValues all = cellValues(loadData(folder_, {"temperature"}));
+    p.value = [](int level, int, const vec3i& c) { return level == 0 && c == vec3i(-4, 2, 0) ? INFINITY : 1.0; };
+    write(p);
+    const auto set = openDataSet(folder_);
+    Progress silent;
+    const Model model = set->load(std::vector<std::string>{"temperature"}, Executor(2), silent, NonFinite::empty);
+    EXPECT_EQ(model.cellCount, all.size() - 1);
+    EXPECT_EQ(model.fields[0].range.hi, 1.0f);
+    EXPECT_TRUE(says(model.notes.back(), {"1 cells without a finite value left out", "1 bricks"}));
+    EXPECT_EQ(cellValues(model).size(), all.size() - 1);
+}
+
 TEST_F(Amrex, UnknownFieldsAreErrors)
 {
     write(threeLevels());
