@@ -16,6 +16,7 @@ namespace brickwall {
 namespace {
 
 constexpr double overviewFov = 28.0;     // degrees
+constexpr double insideFov = 60.0;       // degrees
 constexpr double overviewMargin = 1.02;  // room around the box
 constexpr double nearestFraction = 1e-3; // of the data's size: how near the near plane comes to an eye inside the data
 
@@ -61,6 +62,12 @@ View overview(const Box3d& bounds, const PixelSize& size)
         distance = std::max(distance, glm::dot(p, towardsEye) + overviewMargin * needed);
     }
     return lookAt(center + distance * towardsEye, center, vec3d(0, 1, 0), overviewFov, bounds, size);
+}
+
+View insideView(const Box3d& bounds, const PixelSize& size)
+{
+    const auto inside = [&](const vec3d& part) { return bounds.lower + part * bounds.extent(); };
+    return lookAt(inside({0.25, 0.6, 0.6}), inside({0.75, 0.4, 0.4}), vec3d(0, 1, 0), insideFov, bounds, size);
 }
 
 View cameraView(const std::vector<double>& n, double fovDegrees, const Box3d& bounds, const PixelSize& size)

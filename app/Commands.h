@@ -18,6 +18,7 @@ void addRenderCommand(CLI::App& app, Action& chosen);
 void addViewCommand(CLI::App& app, Action& chosen);
 void addSampleCommand(CLI::App& app, Action& chosen);
 void addRigCommand(CLI::App& app, Action& chosen);
+void addChartCommand(CLI::App& app, Action& chosen);
 void addVerifyCommand(CLI::App& app, Action& chosen);
 
 } // namespace brickwall

@@ -1,5 +1,6 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "Commands.h"
+#include "Folder.h"
 #include "RenderViews.h"
 #include "SceneSetup.h"
 #include "Statistics.h"
@@ -51,23 +52,13 @@ std::vector<std::string> fileNames(const std::vector<View>& views)
     return names;
 }
 
-void makeFolder(const std::string& folder)
-{
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error)
-        throw Error(folder, fmt::format("cannot be made: {}", error.message()));
-}
-
 /// What would make the work futile is found before it.
 void checkOutputs(const Options& options)
 {
     const auto& formats = options.formats;
     if (options.legend && std::find(formats.begin(), formats.end(), "png") == formats.end())
         throw Error("--legend", "is drawn into the PNG; add png to --format");
-    if (options.out.empty())
-        throw Error("--out", "expected a folder, found nothing");
-    makeFolder(options.out);
+    makeOutputFolder(options.out);
     if (options.stats.empty())
         return;
     const std::filesystem::path folder = std::filesystem::path(options.stats).parent_path();
@@ -123,8 +114,8 @@ int render(const Options& options)
     }
     progress.end();
     if (!options.stats.empty())
-        writeStatistics(options.stats, statistics, options.scene, prepared, frames, executor.threads());
-    printSummary(statistics, prepared, frames.size(), options.out);
+        writeStatistics(options.stats, statistics, options.scene.data, settings, prepared, frames, executor.threads());
+    printSummary(statistics, settings, prepared, options.out);
     return 0;
 }
 
@@ -136,24 +127,20 @@ void addRenderCommand(CLI::App& app, Action& chosen)
     auto options = std::make_shared<Options>();
     addDataOption(*command, options->scene);
     command->add_option("--out", options->out, "the folder for the pictures, named after channel and eye")->required();
-    command->add_option("--rig", options->views.rig,
-                        "a display configuration: a file, or desktop, stereo-wall, cave5, tiled-wall");
-    command->add_option("--views", options->views.viewFile, "JSON with camera matrices");
-    command->add_option("--size", options->views.size, "WxH of every view (default 1024x1024, or the rig's)");
-    command->add_option("--camera", options->views.camera, "ex,ey,ez,ax,ay,az,ux,uy,uz: eye, point looked at, up")
-        ->delimiter(',')
-        ->expected(9);
-    command->add_option("--fov", options->views.fov, "vertical opening angle for --camera in degrees (default 60)")
-        ->check(CLI::Range(0.1, 179.0))
-        ->needs("--camera");
+    addViewOptions(*command, options->views, "WxH of every view (default 1024x1024, or the rig's)");
     addSceneOptions(*command, options->scene);
+    addBackgroundOption(*command, options->scene);
+    addMethodOptions(*command, options->scene);
     command->add_option("--format", options->formats, "png, exr or both: png,exr (default png)")
         ->delimiter(',')
         ->check(CLI::IsMember({"png", "exr"}));
     command->add_flag("--legend", options->legend, "draw the colour bar into the PNG");
     command->add_option("--repeat", options->repeat, "render N times, for --stats")->check(CLI::Range(1, 100000));
-    command->add_option("--stats", options->stats, "write times, samples and regions to this JSON file");
-    command->callback([options, &chosen] { chosen = [options] { return render(*options); }; });
+    command->add_option("--stats", options->stats, "write times, samples and bounds to this JSON file");
+    command->callback([options, &chosen] {
+        checkSceneOptions(options->scene, commandLinePlace);
+        chosen = [options] { return render(*options); };
+    });
 }
 
 } // namespace brickwall

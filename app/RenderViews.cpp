@@ -5,6 +5,7 @@
 
 #include "brickwall/channels/RigFiles.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -43,6 +44,20 @@ ViewsToRender viewsOf(const Rig& rig, const Box3d& bounds, Progress& progress)
 }
 
 } // namespace
+
+void addViewOptions(CLI::App& command, ViewOptions& options, const std::string& aboutSize)
+{
+    command.add_option("--rig", options.rig,
+                       "a display configuration: a file, or desktop, stereo-wall, cave5, tiled-wall");
+    command.add_option("--views", options.viewFile, "JSON with camera matrices");
+    command.add_option("--size", options.size, aboutSize);
+    command.add_option("--camera", options.camera, "ex,ey,ez,ax,ay,az,ux,uy,uz: eye, point looked at, up")
+        ->delimiter(',')
+        ->expected(9);
+    command.add_option("--fov", options.fov, "vertical opening angle for --camera in degrees (default 60)")
+        ->check(CLI::Range(0.1, 179.0))
+        ->needs("--camera");
+}
 
 Rig resized(Rig rig, const PixelSize& size)
 {

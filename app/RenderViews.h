@@ -10,6 +10,10 @@
 #include <string>
 #include <vector>
 
+namespace CLI {
+class App;
+}
+
 namespace brickwall {
 
 /// Where the views of `render` come from; at most one of rig, file and camera is given, none means the overview.
@@ -27,6 +31,9 @@ struct ViewsToRender
     std::vector<View> views;
     vec3f background{0.0f}; ///< linear; the rig's
 };
+
+/// Adds --rig, --views, --size, --camera and --fov.
+void addViewOptions(CLI::App& command, ViewOptions& options, const std::string& aboutSize);
 
 /// The views, once the bounds of the data are known. Refused ones (an eye behind its screen) are noted and left out;
 /// throws Error if nothing is left.

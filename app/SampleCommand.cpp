@@ -60,12 +60,13 @@ std::vector<vec3d> readPoints(const std::string& path)
 
 int samplePointsOf(const SceneOptions& options, const std::string& pointsFile)
 {
+    checkSceneOptions(options, commandLinePlace);
     const std::vector<vec3d> points = readPoints(pointsFile);
     TerminalProgress progress;
     const Executor executor(options.threads);
     const auto data = openDataSet(options.data);
-    const Model model =
-        data->load(std::vector{options.field.empty() ? data->defaultField() : options.field}, executor, progress);
+    const Model model = data->load(std::vector{options.field.empty() ? data->defaultField() : options.field}, executor,
+                                   progress, nonFiniteOf(options));
     const RegionTree regions = buildRegions(model.bricks, executor, progress);
     const PaddedField field = padField(model.fields.front(), model.bricks, regions, executor, progress);
     progress.end();
@@ -95,6 +96,7 @@ void addSampleCommand(CLI::App& app, Action& chosen)
     addDataOption(*command, options->scene);
     command->add_option("--points", options->points, "CSV file of x,y,z in world space")->required();
     command->add_option("--field", options->scene.field, "the field (default: the data set's choice)");
+    addNonFiniteOption(*command, options->scene);
     addThreadsOption(*command, options->scene.threads);
     command->callback(
         [options, &chosen] { chosen = [options] { return samplePointsOf(options->scene, options->points); }; });

@@ -6,27 +6,16 @@
 #include "brickwall/core/io/DataSet.h"
 #include "brickwall/core/shade/ColorMaps.h"
 #include "brickwall/core/shade/DefaultTransferFunction.h"
-#include "brickwall/core/shade/Srgb.h"
 #include "brickwall/core/shade/TransferFunctionFile.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <cmath>
 #include <utility>
 
 #include <sys/resource.h>
 
 namespace brickwall {
 namespace {
-
-void checkRange(const std::vector<double>& range)
-{
-    const float lo = static_cast<float>(range[0]), hi = static_cast<float>(range[1]);
-    if (!(lo < hi) || !std::isfinite(lo) || !std::isfinite(hi))
-        throw Error("--range", fmt::format("expected LO < HI, both finite and apart as 32-bit floats, found {},{}",
-                                           range[0], range[1]));
-}
 
 TransferFunction chooseTransferFunctionFor(const SceneOptions& options, const Model& model, Field& field,
                                            Progress& progress)
@@ -47,94 +36,31 @@ TransferFunction chooseTransferFunctionFor(const SceneOptions& options, const Mo
         if (!options.range.empty())
             tf.range = range;
     }
-    tf.opacityScale *= static_cast<float>(options.opacityScale);
+    tf.opacityScale *= options.volume == "off" ? 0.0f : static_cast<float>(options.opacityScale);
     checkTransferFunction(tf, options.transferFunction.empty() ? "--range" : options.transferFunction);
     return tf;
 }
 
+void noteWhatIsNotSeen(const Scene& scene, const Field& field, Progress& progress)
+{
+    for (const IsoSurface& surface : scene.surfaces)
+        if (!(surface.value >= field.range.lo && surface.value <= field.range.hi))
+            progress.note(fmt::format("--iso {}: no surface, the values of {} are from {} to {}", surface.value,
+                                      field.name, field.range.lo, field.range.hi));
+    if (scene.transferFunction.opacityScale == 0.0f && scene.surfaces.empty() && !scene.triangles)
+        progress.note("nothing can be seen: the volume is off and there is no surface (--iso)");
+}
+
 } // namespace
-
-void addDataOption(CLI::App& command, SceneOptions& options)
-{
-    command.add_option("DATA", options.data, "a file, a folder, or sample:NAME[:SIZE]")->required();
-}
-
-void addThreadsOption(CLI::App& command, int& threads)
-{
-    constexpr int mostThreads = 1024; // the system refuses far larger numbers in the middle of the work
-    command.add_option("--threads", threads, "0 (default): one per core")->check(CLI::Range(0, mostThreads));
-}
-
-void addSceneOptions(CLI::App& command, SceneOptions& options)
-{
-    const auto positive = CLI::Validator(
-        [](std::string& text) {
-            double value = 0.0;
-            return CLI::detail::lexical_cast(text, value) && value > 0.0 && std::isfinite(value)
-                       ? std::string()
-                       : "expected a finite number above 0, found " + text;
-        },
-        "> 0");
-    command.add_option("--field", options.field, "the field to show (default: the data set's choice)");
-    command.add_option("--tf", options.transferFunction,
-                       "transfer function: .xf or JSON (default: chosen from the data)");
-    command.add_option("--colormap", options.colorMap, "colour map by name")->check([](const std::string& name) {
-        try {
-            colorMap(name);
-            return std::string();
-        } catch (const Error& error) {
-            return std::string(error.what());
-        }
-    });
-    command.add_option("--range", options.range, "LO,HI: the values that the transfer function covers")
-        ->delimiter(',')
-        ->expected(2);
-    command.add_option("--opacity-scale", options.opacityScale, "multiplies all opacities (default 1)")
-        ->check(positive);
-    command.add_option("--shading", options.shading, "headlight (default) or off")
-        ->check(CLI::IsMember({"headlight", "off"}));
-    command.add_option("--background", options.background, "R,G,B in [0, 1] as displayed (default black)")
-        ->delimiter(',')
-        ->expected(3)
-        ->check([](const std::string& text) {
-            double value = 0.0; // CLI::Range lets nan through
-            return CLI::detail::lexical_cast(text, value) && value >= 0.0 && value <= 1.0
-                       ? std::string()
-                       : "expected numbers from 0 to 1, found " + text;
-        });
-    command.add_option("--method", options.method, "midpoint")->check(CLI::IsMember({"midpoint"}));
-    command.add_option("--dt", options.dt, "step in finest cell widths of the region (default 0.5)")->check(positive);
-    addThreadsOption(command, options.threads);
-}
-
-RenderSettings renderSettings(const SceneOptions& options)
-{
-    RenderSettings settings;
-    settings.step.dt = static_cast<float>(options.dt);
-    settings.shading = options.shading == "off" ? Shading::off : Shading::headlight;
-    return settings;
-}
-
-vec3f backgroundColor(const SceneOptions& options, const vec3f& otherwise)
-{
-    if (options.background.empty())
-        return otherwise;
-    vec3f color;
-    for (int i = 0; i < 3; ++i)
-        color[i] = linearFromSrgb(static_cast<float>(options.background[i]));
-    return color;
-}
 
 PreparedScene prepareScene(const SceneOptions& options, const Executor& executor, Progress& progress)
 {
-    if (!options.range.empty())
-        checkRange(options.range);
     const Stopwatch loading;
     const auto data = openDataSet(options.data);
     const std::string fieldName = options.field.empty() ? data->defaultField() : options.field;
     if (fieldName.empty())
         throw Error(options.data, "there is no field to show");
-    Model model = data->load(std::vector{fieldName}, executor, progress);
+    Model model = data->load(std::vector{fieldName}, executor, progress, nonFiniteOf(options));
     for (const std::string& note : model.notes)
         progress.note(note);
     PreparedScene prepared;
@@ -153,6 +79,8 @@ PreparedScene prepareScene(const SceneOptions& options, const Executor& executor
     if (!model.meshes.empty())
         prepared.scene.triangles = std::make_shared<TriangleScene>(model.meshes);
     prepared.scene.worldFromVoxel = model.worldFromVoxel;
+    prepared.scene.surfaces = isoSurfaces(options, prepared.scene.transferFunction);
+    noteWhatIsNotSeen(prepared.scene, field, progress);
     prepared.name = model.name;
     prepared.field = field.name;
     prepared.unit = field.unit;

@@ -1,43 +1,16 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "SceneOptions.h"
+
 #include "brickwall/core/base/Executor.h"
 #include "brickwall/core/base/Progress.h"
 #include "brickwall/core/render/Renderer.h"
 
+#include <cstdint>
 #include <string>
-#include <vector>
-
-namespace CLI {
-class App;
-}
 
 namespace brickwall {
-
-/// What the user says about the scene, the same words in every command.
-struct SceneOptions
-{
-    std::string data;
-    std::string field;            ///< empty: the data set's default
-    std::string transferFunction; ///< .xf or JSON file; empty: chosen from the data
-    std::string colorMap;         ///< empty: that of the transfer function, or cool-warm
-    std::vector<double> range;    ///< empty, or lo and hi
-    double opacityScale = 1.0;
-    std::string shading = "headlight";
-    std::vector<double> background; ///< empty (black, or the rig's), or r, g, b in sRGB
-    std::string method = "midpoint";
-    double dt = 0.5;
-    int threads = 0;
-};
-
-void addDataOption(CLI::App& command, SceneOptions& options);
-void addSceneOptions(CLI::App& command, SceneOptions& options);
-void addThreadsOption(CLI::App& command, int& threads);
-
-RenderSettings renderSettings(const SceneOptions& options);
-
-/// The background as linear RGB; `otherwise` if the user did not say.
-vec3f backgroundColor(const SceneOptions& options, const vec3f& otherwise = vec3f(0.0f));
 
 /// A scene ready to be rendered, and what is worth telling about it.
 struct PreparedScene
@@ -53,7 +26,8 @@ struct PreparedScene
     double prepareMilliseconds = 0.0; ///< bricks to regions and padded field
 };
 
-/// Opens, reads, builds regions and chooses the transfer function; says in notes what was repaired or chosen.
+/// Opens, reads, builds regions, chooses the transfer function and makes the surfaces; says in notes what was repaired
+/// or chosen, and what will not be seen. The options are within their limits.
 PreparedScene prepareScene(const SceneOptions& options, const Executor& executor, Progress& progress);
 
 /// The largest memory that this process had so far, in bytes.

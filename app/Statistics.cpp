@@ -13,27 +13,63 @@ namespace {
 
 using nlohmann::json;
 
-json viewJson(const RenderStatistics& statistics, const Frame& frame, std::size_t view)
+json viewJson(const RenderStatistics& statistics, const RenderSettings& settings, const Frame& frame, std::size_t view)
 {
     json milliseconds = json::array();
     for (const auto& repetition : statistics.repetitions)
         milliseconds.push_back(repetition[view].milliseconds);
     const ViewStatistics& last = statistics.repetitions.back()[view];
-    return {{"name", last.name},
-            {"width", frame.width},
-            {"height", frame.height},
-            {"milliseconds", milliseconds},
-            {"rays", last.rays},
-            {"samples", last.counts.samples},
-            {"regions_visited", last.counts.regionsVisited}};
+    json result = {{"name", last.name},
+                   {"width", frame.width},
+                   {"height", frame.height},
+                   {"milliseconds", milliseconds},
+                   {"rays", last.rays},
+                   {"samples", last.counts.samples},
+                   {"fetches", last.counts.fetches},
+                   {"regions_visited", last.counts.regionsVisited},
+                   {"pieces_skipped", last.counts.piecesSkipped},
+                   {"pieces_merged", last.counts.piecesMerged},
+                   {"pieces_split", last.counts.piecesSplit},
+                   {"surface_hits", last.surfaceHits}};
+    if (settings.method == Method::bounded) {
+        result["largest_bound"] = last.largestBound;
+        result["pixels_beyond"] = last.pixelsBeyond;
+        result["beyond_because"] = last.beyondBecause;
+    }
+    return result;
 }
 
-std::uint64_t samplesOf(const std::vector<ViewStatistics>& views)
+json methodJson(const RenderSettings& settings)
 {
-    std::uint64_t samples = 0;
-    for (const ViewStatistics& view : views)
-        samples += view.counts.samples;
-    return samples;
+    json method = {{"name", nameOf(settings.method)}};
+    if (settings.method == Method::bounded)
+        method["tolerance"] = settings.bounded.tolerance;
+    if (takesSteps(settings.method))
+        method["dt"] = settings.step.dt;
+    return method;
+}
+
+json surfacesJson(const std::vector<IsoSurface>& surfaces)
+{
+    json values = json::array();
+    for (const IsoSurface& surface : surfaces)
+        values.push_back({{"value", surface.value}, {"opacity", surface.opacity}});
+    return values;
+}
+
+/// The last repetition of all views.
+ViewStatistics sumOf(const std::vector<ViewStatistics>& views)
+{
+    ViewStatistics sum;
+    for (const ViewStatistics& view : views) {
+        sum.counts += view.counts;
+        sum.surfaceHits += view.surfaceHits;
+        sum.largestBound = std::max(sum.largestBound, view.largestBound);
+        sum.pixelsBeyond += view.pixelsBeyond;
+        if (sum.beyondBecause.empty())
+            sum.beyondBecause = view.beyondBecause;
+    }
+    return sum;
 }
 
 } // namespace
@@ -45,18 +81,20 @@ double median(std::vector<double> values)
     return n == 0 ? 0.0 : 0.5 * (values[(n - 1) / 2] + values[n / 2]);
 }
 
-void writeStatistics(const std::string& path, const RenderStatistics& statistics, const SceneOptions& options,
-                     const PreparedScene& prepared, const std::vector<Frame>& frames, int threads)
+void writeStatistics(const std::string& path, const RenderStatistics& statistics, const std::string& data,
+                     const RenderSettings& settings, const PreparedScene& prepared, const std::vector<Frame>& frames,
+                     int threads)
 {
     json views = json::array();
     for (std::size_t i = 0; i < frames.size(); ++i)
-        views.push_back(viewJson(statistics, frames[i], i));
-    const json root = {{"data", options.data},
+        views.push_back(viewJson(statistics, settings, frames[i], i));
+    const json root = {{"data", data},
                        {"field", prepared.field},
                        {"cells", prepared.cells},
                        {"bricks", prepared.scene.regions->bricks.size()},
                        {"regions", prepared.scene.regions->regions.size()},
-                       {"method", {{"name", options.method}, {"dt", options.dt}}},
+                       {"method", methodJson(settings)},
+                       {"surfaces", surfacesJson(prepared.scene.surfaces)},
                        {"threads", threads},
                        {"lanes", Renderer::lanes()},
                        {"target", Renderer::target()},
@@ -64,22 +102,32 @@ void writeStatistics(const std::string& path, const RenderStatistics& statistics
                        {"prepare_milliseconds", prepared.prepareMilliseconds},
                        {"milliseconds", statistics.totalMilliseconds},
                        {"median_milliseconds", median(statistics.totalMilliseconds)},
-                       {"samples", samplesOf(statistics.repetitions.back())},
+                       {"samples", sumOf(statistics.repetitions.back()).counts.samples},
                        {"peak_memory_bytes", peakMemory()},
                        {"views", views}};
     writeWholeFile(path, root.dump(2, ' ', false, json::error_handler_t::replace) + '\n');
 }
 
-void printSummary(const RenderStatistics& statistics, const PreparedScene& prepared, std::size_t views,
+void printSummary(const RenderStatistics& statistics, const RenderSettings& settings, const PreparedScene& prepared,
                   const std::string& folder)
 {
     const double milliseconds = median(statistics.totalMilliseconds);
-    const std::uint64_t samples = samplesOf(statistics.repetitions.back());
+    const std::size_t views = statistics.repetitions.back().size();
+    const ViewStatistics sum = sumOf(statistics.repetitions.back());
+    const auto samples = static_cast<double>(sum.counts.samples);
     fmt::print("{} of {}: {} cells, {} regions, {:.1f} bytes per cell\n", prepared.field, prepared.name, prepared.cells,
                prepared.scene.regions->regions.size(), double(prepared.bytes) / double(prepared.cells));
     fmt::print("{} view{} in {:.0f} ms ({:.1f} million samples, {:.0f} million per second, {} lanes) into {}\n", views,
                views == 1 ? "" : "s", milliseconds, samples / 1e6, samples / 1e3 / milliseconds, Renderer::lanes(),
                folder);
+    fmt::print("{}", describe(settings));
+    if (settings.method == Method::bounded)
+        fmt::print("; error at most {:.3g}", sum.largestBound);
+    if (sum.pixelsBeyond > 0)
+        fmt::print(", {} pixels beyond the tolerance: {}", sum.pixelsBeyond, sum.beyondBecause);
+    if (!prepared.scene.surfaces.empty())
+        fmt::print("; {} surface hits", sum.surfaceHits);
+    fmt::print("\n");
 }
 
 } // namespace brickwall

@@ -18,11 +18,12 @@ struct RenderStatistics
 double median(std::vector<double> values);
 
 /// The JSON of `--stats` (docs/command.md describes its keys). Written to a temporary name and renamed when whole.
-void writeStatistics(const std::string& path, const RenderStatistics& statistics, const SceneOptions& options,
-                     const PreparedScene& prepared, const std::vector<Frame>& frames, int threads);
+void writeStatistics(const std::string& path, const RenderStatistics& statistics, const std::string& data,
+                     const RenderSettings& settings, const PreparedScene& prepared, const std::vector<Frame>& frames,
+                     int threads);
 
-/// A few lines for people.
-void printSummary(const RenderStatistics& statistics, const PreparedScene& prepared, std::size_t views,
+/// A few lines for people: what was rendered, how, in which time, and what the bounded method achieved.
+void printSummary(const RenderStatistics& statistics, const RenderSettings& settings, const PreparedScene& prepared,
                   const std::string& folder);
 
 } // namespace brickwall

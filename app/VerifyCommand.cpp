@@ -1,5 +1,6 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "Commands.h"
+#include "SceneSetup.h"
 #include "TerminalProgress.h"
 #include "ViewFile.h"
 

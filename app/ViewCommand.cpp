@@ -67,11 +67,16 @@ void addViewCommand(CLI::App& app, Action& chosen)
                         "a display configuration: a file, or desktop, stereo-wall, cave5, tiled-wall");
     command->add_option("--size", options->size, "WxH of every viewport (default: the rig's)");
     addSceneOptions(*command, options->scene);
+    addBackgroundOption(*command, options->scene);
+    addMethodOptions(*command, options->scene);
     command->add_option("--frames", options->frames, "draw N complete frames and end (default 0: until Escape)")
         ->check(CLI::Range(0, 1000000));
     command->add_option("--screenshots", options->screenshots,
                         "with --frames: write a PNG of every window into this folder");
-    command->callback([options, &chosen] { chosen = [options] { return view(*options); }; });
+    command->callback([options, &chosen] {
+        checkSceneOptions(options->scene, commandLinePlace);
+        chosen = [options] { return view(*options); };
+    });
 }
 
 } // namespace brickwall

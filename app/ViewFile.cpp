@@ -4,7 +4,6 @@
 #include "brickwall/core/base/WholeFile.h"
 #include "brickwall/core/render/Compare.h"
 #include "brickwall/core/render/ImageFiles.h"
-#include "brickwall/core/shade/ColorMaps.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -152,29 +151,54 @@ json parse(const std::string& path)
     }
 }
 
-/// What the command line checks for `render`, with the file as the place.
-void checkScene(const SceneOptions& scene, const std::string& place)
+/// A number or a list of them; lists of lists are joined.
+void readNumbers(const json& value, std::vector<double>& numbers)
 {
-    const auto refuse = [&](const char* key, const std::string& expected) {
-        throw Error(place, fmt::format("\"{}\" must be {}", key, expected));
-    };
-    const auto isPositive = [](double value) { return value > 0.0 && std::isfinite(value); };
-    if (!scene.range.empty() && (scene.range.size() != 2 || !(scene.range[0] < scene.range[1])))
-        refuse("range", fmt::format("[lo, hi] with lo < hi, found [{}]", fmt::join(scene.range, ", ")));
-    if (!isPositive(scene.opacityScale))
-        refuse("opacity_scale", fmt::format("above 0, found {}", scene.opacityScale));
-    if (!isPositive(scene.dt))
-        refuse("dt", fmt::format("above 0, found {}", scene.dt));
-    if (scene.shading != "headlight" && scene.shading != "off")
-        refuse("shading", fmt::format("headlight or off, found {}", scene.shading));
-    if (scene.method != "midpoint")
-        refuse("method", fmt::format("midpoint, found {}", scene.method));
+    if (value.is_array())
+        for (const json& item : value)
+            readNumbers(item, numbers);
+    else
+        numbers.push_back(value.get<double>());
+}
+
+void maybeNumbers(const Node& node, const char* key, std::vector<double>& numbers)
+{
+    if (!node.has(key))
+        return;
     try {
-        if (!scene.colorMap.empty())
-            colorMap(scene.colorMap);
-    } catch (const Error& error) {
-        throw Error(place, error.what());
+        readNumbers(node.at(key), numbers);
+    } catch (const json::exception&) {
+        throw Error(node.place(), fmt::format("\"{}\" has the wrong type, found {}", key, node.at(key).dump()));
     }
+}
+
+SceneOptions sceneOf(const Node& node, const std::filesystem::path& folder)
+{
+    SceneOptions scene;
+    node.maybe("data", scene.data);
+    if (!scene.data.empty() && scene.data.rfind("sample:", 0) != 0)
+        scene.data = (folder / scene.data).string();
+    node.maybe("field", scene.field);
+    node.maybe("non_finite", scene.nonFinite);
+    if (node.has("tf"))
+        scene.transferFunction = (folder / node.get<std::string>("tf")).string();
+    node.maybe("colormap", scene.colorMap);
+    node.maybe("range", scene.range);
+    node.maybe("opacity_scale", scene.opacityScale);
+    node.maybe("shading", scene.shading);
+    node.maybe("volume", scene.volume);
+    maybeNumbers(node, "iso", scene.iso);
+    maybeNumbers(node, "iso_color", scene.isoColors);
+    maybeNumbers(node, "iso_opacity", scene.isoOpacity);
+    node.maybe("method", scene.method);
+    node.maybe("dt", scene.dt);
+    const auto placeOf = [&](std::string_view key) { return fmt::format("{}: \"{}\"", node.place(), key); };
+    if (node.has("tolerance"))
+        scene.tolerance = node.at("tolerance").is_string()
+                              ? parseNumber(node.get<std::string>("tolerance"), placeOf("tolerance"))
+                              : node.get<double>("tolerance");
+    checkSceneOptions(scene, placeOf);
+    return scene;
 }
 
 std::string check(const char* what, double found, double limit, bool atMost)
@@ -192,22 +216,11 @@ ViewFile readViewFile(const std::string& path)
     const json root = parse(path);
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
     const Node node(root, path,
-                    {"data", "field", "tf", "colormap", "range", "opacity_scale", "shading", "method", "dt", "views"});
+                    {"data", "field", "non_finite", "tf", "colormap", "range", "opacity_scale", "shading", "volume",
+                     "iso", "iso_color", "iso_opacity", "method", "tolerance", "dt", "views"});
     ViewFile file;
     file.path = path;
-    node.maybe("data", file.scene.data);
-    if (!file.scene.data.empty() && file.scene.data.rfind("sample:", 0) != 0)
-        file.scene.data = (folder / file.scene.data).string();
-    node.maybe("field", file.scene.field);
-    if (node.has("tf"))
-        file.scene.transferFunction = (folder / node.get<std::string>("tf")).string();
-    node.maybe("colormap", file.scene.colorMap);
-    node.maybe("range", file.scene.range);
-    node.maybe("opacity_scale", file.scene.opacityScale);
-    node.maybe("shading", file.scene.shading);
-    node.maybe("method", file.scene.method);
-    node.maybe("dt", file.scene.dt);
-    checkScene(file.scene, path);
+    file.scene = sceneOf(node, folder);
 
     const json& views = node.at("views");
     if (!views.is_array() || views.empty())

@@ -1,7 +1,7 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "SceneSetup.h"
+#include "SceneOptions.h"
 
 #include "brickwall/core/render/Frame.h"
 #include "brickwall/core/render/View.h"

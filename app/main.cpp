@@ -31,6 +31,7 @@ int run(int argc, char** argv)
     brickwall::addViewCommand(app, chosen);
     brickwall::addSampleCommand(app, chosen);
     brickwall::addRigCommand(app, chosen);
+    brickwall::addChartCommand(app, chosen);
     brickwall::addVerifyCommand(app, chosen);
     try {
         app.parse(argc, argv);

@@ -72,7 +72,9 @@ TEST(RenderCommand, HalfTheStepIsCloserToAFineOne)
     std::vector<Frame> frames;
     for (const char* dt : {"1", "0.25", "0.02"}) {
         const auto out = folder / dt;
-        ASSERT_EQ(run("render " + sample + " --out " + out.string() + " --size 48x48 --format exr --dt " + dt).exitCode,
+        ASSERT_EQ(run("render " + sample + " --out " + out.string() +
+                      " --size 48x48 --format exr --method midpoint --dt " + dt)
+                      .exitCode,
                   0);
         frames.push_back(readExr((out / "view.exr").string()));
     }
@@ -168,7 +170,7 @@ TEST(RenderCommand, CtrlCEndsItWithoutPictures)
         freopen("/dev/null", "w", stdout);
         const std::string out = folder.string();
         execl(BRICKWALL_COMMAND, "brickwall", "render", "sample:cloud:2M", "--out", out.c_str(), "--size", "4096x4096",
-              "--dt", "0.01", nullptr);
+              "--method", "midpoint", "--dt", "0.01", nullptr);
         _exit(99);
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(700));

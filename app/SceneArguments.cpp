@@ -1,0 +1,71 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+/// The scene's options on the command line. What they may be is said once, by checkSceneOptions.
+#include "SceneOptions.h"
+
+#include <CLI/CLI.hpp>
+
+namespace brickwall {
+namespace {
+
+/// A list takes what its commas join, and not the argument after that.
+void addList(CLI::App& command, const char* name, std::vector<double>& list, const char* description)
+{
+    command.add_option(name, list, description)->delimiter(',')->allow_extra_args(false);
+}
+
+} // namespace
+
+void addDataOption(CLI::App& command, SceneOptions& options)
+{
+    command.add_option("DATA", options.data, "a file, a folder, or sample:NAME[:SIZE]")->required();
+}
+
+void addThreadsOption(CLI::App& command, int& threads)
+{
+    constexpr int mostThreads = 1024; // the system refuses far larger numbers in the middle of the work
+    command.add_option("--threads", threads, "0 (default): one per core")->check(CLI::Range(0, mostThreads));
+}
+
+void addNonFiniteOption(CLI::App& command, SceneOptions& options)
+{
+    command.add_option("--non-finite", options.nonFinite,
+                       "cells with a NaN or an infinite value: error (default), or empty to leave them out");
+}
+
+void addSceneOptions(CLI::App& command, SceneOptions& options)
+{
+    command.add_option("--field", options.field, "the field to show (default: the data set's choice)");
+    addNonFiniteOption(command, options);
+    command.add_option("--tf", options.transferFunction,
+                       "transfer function: .xf or JSON (default: chosen from the data)");
+    command.add_option("--colormap", options.colorMap, "colour map by name");
+    addList(command, "--range", options.range, "LO,HI: the values that the transfer function covers");
+    command.add_option("--opacity-scale", options.opacityScale, "multiplies all opacities (default 1)");
+    command.add_option("--shading", options.shading, "headlight (default) or off");
+    addList(command, "--iso", options.iso, "VALUE[,VALUE...]: show the surfaces where the field has these values");
+    addList(command, "--iso-color", options.isoColors,
+            "R,G,B in [0, 1] as displayed, for all surfaces or once per value (default: of the transfer function)");
+    addList(command, "--iso-opacity", options.isoOpacity,
+            "A, for all surfaces or A[,A...] per value, in (0, 1] (default 1)");
+    command.add_option("--volume", options.volume, "on (default), or off to show nothing but surfaces");
+    addThreadsOption(command, options.threads);
+}
+
+void addBackgroundOption(CLI::App& command, SceneOptions& options)
+{
+    addList(command, "--background", options.background, "R,G,B in [0, 1] as displayed (default black)");
+}
+
+void addMethodOptions(CLI::App& command, SceneOptions& options)
+{
+    command.add_option("--method", options.method,
+                       "bounded (default), fixed, midpoint, bracket, preintegrated or reference");
+    command.add_option_function<std::string>(
+        "--tolerance", [&options](const std::string& text) { options.tolerance = parseNumber(text, "--tolerance"); },
+        "of bounded: the largest error of a linear premultiplied component (default 1/255)");
+    command.add_option_function<double>(
+        "--dt", [&options](double dt) { options.dt = dt; },
+        "of fixed, midpoint, bracket, preintegrated: step in finest cell widths of the region (default 0.5)");
+}
+
+} // namespace brickwall

@@ -1,0 +1,234 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#include "SceneOptions.h"
+
+#include "brickwall/core/base/Error.h"
+#include "brickwall/core/shade/ColorMaps.h"
+#include "brickwall/core/shade/Srgb.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+namespace brickwall {
+namespace {
+
+/// Checks of single options; a message is "PLACE: expected ..., found ...".
+class Limits
+{
+public:
+    explicit Limits(const PlaceOfOption& placeOf) : placeOf_(placeOf) {}
+
+    template <class Found>
+    void require(bool fine, std::string_view key, std::string_view expected, const Found& found) const
+    {
+        if (!fine)
+            throw Error(placeOf_(key), fmt::format("expected {}, found {}", expected, found));
+    }
+    void oneOf(std::string_view key, const std::string& found, const std::vector<std::string>& names) const
+    {
+        require(std::find(names.begin(), names.end(), found) != names.end(), key,
+                fmt::format("{}", fmt::join(names, ", ")), found);
+    }
+    /// As many numbers as there are surfaces, or one for all, `each` numbers long.
+    void perSurface(std::string_view key, std::size_t found, std::size_t surfaces, std::size_t each) const
+    {
+        if (found == 0)
+            return;
+        require(surfaces > 0, key, fmt::format("{} with it", placeOf_("iso")), "none");
+        require(found == each || found == each * surfaces, key,
+                fmt::format("{} number{}, or {} for each of {} values", each, each == 1 ? "" : "s", each, surfaces),
+                found);
+    }
+
+private:
+    const PlaceOfOption& placeOf_;
+};
+
+bool isFinite(double value)
+{
+    return std::isfinite(static_cast<float>(value));
+}
+
+bool isFraction(double value) // a NaN is none
+{
+    return value >= 0.0 && value <= 1.0;
+}
+
+bool isPositiveFraction(double value)
+{
+    return isFraction(value) && static_cast<float>(value) > 0.0f;
+}
+
+bool areFractions(const std::vector<double>& values)
+{
+    return std::all_of(values.begin(), values.end(), isFraction);
+}
+
+std::string listOf(const std::vector<double>& values)
+{
+    return fmt::format("{}", fmt::join(values, ","));
+}
+
+void checkRange(const std::vector<double>& range, const Limits& limits)
+{
+    limits.require(range.empty() || (range.size() == 2 && static_cast<float>(range[0]) < static_cast<float>(range[1]) &&
+                                     isFinite(range[0]) && isFinite(range[1])),
+                   "range", "LO < HI, both finite and apart as 32-bit floats", listOf(range));
+}
+
+void checkSurfaces(const SceneOptions& options, const Limits& limits)
+{
+    limits.require(std::all_of(options.iso.begin(), options.iso.end(), isFinite), "iso", "finite values",
+                   listOf(options.iso));
+    const std::set<float> values(options.iso.begin(), options.iso.end());
+    limits.require(values.size() == options.iso.size(), "iso", "values that differ as 32-bit floats",
+                   listOf(options.iso));
+    limits.perSurface("iso_color", options.isoColors.size(), options.iso.size(), 3);
+    limits.require(areFractions(options.isoColors), "iso_color", "numbers from 0 to 1", listOf(options.isoColors));
+    limits.perSurface("iso_opacity", options.isoOpacity.size(), options.iso.size(), 1);
+    limits.require(std::all_of(options.isoOpacity.begin(), options.isoOpacity.end(), isPositiveFraction), "iso_opacity",
+                   "numbers above 0 and at most 1", listOf(options.isoOpacity));
+}
+
+void checkMethod(const SceneOptions& options, const PlaceOfOption& placeOf, const Limits& limits)
+{
+    const Method method = methodOf(options.method, placeOf("method"));
+    if (options.tolerance) {
+        limits.require(isPositiveFraction(*options.tolerance), "tolerance", "a number above 0 and at most 1",
+                       *options.tolerance);
+        if (method != Method::bounded)
+            throw Error(placeOf("tolerance"),
+                        fmt::format("has no effect on the method {}; it belongs to bounded", options.method));
+    }
+    if (options.dt) {
+        limits.require(static_cast<float>(*options.dt) > 0.0f && isFinite(*options.dt), "dt", "a finite number above 0",
+                       *options.dt);
+        if (!takesSteps(method))
+            throw Error(placeOf("dt"), fmt::format("has no effect on the method {}; it is the step of fixed, midpoint, "
+                                                   "bracket and preintegrated (say which with {})",
+                                                   options.method, placeOf("method")));
+    }
+}
+
+vec3f linearColor(const double* srgb)
+{
+    vec3f color;
+    for (int i = 0; i < 3; ++i)
+        color[i] = linearFromSrgb(static_cast<float>(srgb[i]));
+    return color;
+}
+
+} // namespace
+
+std::string commandLinePlace(std::string_view key)
+{
+    std::string option = "--" + std::string(key);
+    std::replace(option.begin(), option.end(), '_', '-');
+    return option;
+}
+
+void checkSceneOptions(const SceneOptions& options, const PlaceOfOption& placeOf)
+{
+    const Limits limits(placeOf);
+    checkRange(options.range, limits);
+    limits.require(options.opacityScale >= 0.0 && isFinite(options.opacityScale), "opacity_scale",
+                   "a finite number of 0 or more", options.opacityScale);
+    limits.oneOf("non_finite", options.nonFinite, {"error", "empty"});
+    limits.oneOf("shading", options.shading, {"headlight", "off"});
+    limits.oneOf("volume", options.volume, {"on", "off"});
+    checkSurfaces(options, limits);
+    limits.require(options.background.empty() || (options.background.size() == 3 && areFractions(options.background)),
+                   "background", "R,G,B, each from 0 to 1", listOf(options.background));
+    checkMethod(options, placeOf, limits);
+    try {
+        if (!options.colorMap.empty())
+            colorMap(options.colorMap);
+    } catch (const Error& error) {
+        throw Error(placeOf("colormap"), error.what());
+    }
+}
+
+double parseNumber(const std::string& text, const std::string& place)
+{
+    const auto parse = [&](std::string_view part) {
+        double value = 0.0;
+        const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+        if (error != std::errc() || end != part.data() + part.size())
+            throw Error(place, fmt::format("expected a number or a fraction such as 1/255, found \"{}\"", text));
+        return value;
+    };
+    const std::size_t slash = text.find('/');
+    if (slash == std::string::npos)
+        return parse(text);
+    return parse(std::string_view(text).substr(0, slash)) / parse(std::string_view(text).substr(slash + 1));
+}
+
+bool takesSteps(Method method)
+{
+    return method != Method::bounded && method != Method::reference;
+}
+
+const char* nameOf(Method method)
+{
+    return methodNames.at(static_cast<std::size_t>(method));
+}
+
+Method methodOf(const std::string& name, const std::string& place)
+{
+    const auto found = std::find(methodNames.begin(), methodNames.end(), name);
+    if (found == methodNames.end())
+        throw Error(place, fmt::format("expected {}, found {}", fmt::join(methodNames, ", "), name));
+    return static_cast<Method>(found - methodNames.begin());
+}
+
+std::string describe(const RenderSettings& settings)
+{
+    if (takesSteps(settings.method))
+        return fmt::format("{}, dt {:g}", nameOf(settings.method), settings.step.dt);
+    if (settings.method == Method::bounded)
+        return fmt::format("{}, tolerance {:.4g}", nameOf(settings.method), settings.bounded.tolerance);
+    return nameOf(settings.method);
+}
+
+RenderSettings renderSettings(const SceneOptions& options)
+{
+    RenderSettings settings;
+    settings.method = methodOf(options.method, "method");
+    if (options.tolerance)
+        settings.bounded.tolerance = static_cast<float>(*options.tolerance);
+    if (options.dt)
+        settings.step.dt = static_cast<float>(*options.dt);
+    settings.shading = options.shading == "off" ? Shading::off : Shading::headlight;
+    return settings;
+}
+
+NonFinite nonFiniteOf(const SceneOptions& options)
+{
+    return options.nonFinite == "empty" ? NonFinite::empty : NonFinite::error;
+}
+
+vec3f backgroundColor(const SceneOptions& options, const vec3f& otherwise)
+{
+    return options.background.empty() ? otherwise : linearColor(options.background.data());
+}
+
+std::vector<IsoSurface> isoSurfaces(const SceneOptions& options, const TransferFunction& transferFunction)
+{
+    std::vector<IsoSurface> surfaces;
+    for (std::size_t i = 0; i < options.iso.size(); ++i) {
+        IsoSurface surface;
+        surface.value = static_cast<float>(options.iso[i]);
+        const std::size_t color = options.isoColors.size() > 3 ? 3 * i : 0;
+        surface.color = options.isoColors.empty() ? vec3f(colorAt(transferFunction, options.iso[i]))
+                                                  : linearColor(options.isoColors.data() + color);
+        if (!options.isoOpacity.empty())
+            surface.opacity = static_cast<float>(options.isoOpacity[options.isoOpacity.size() > 1 ? i : 0]);
+        surfaces.push_back(surface);
+    }
+    return surfaces;
+}
+
+} // namespace brickwall

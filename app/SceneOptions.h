@@ -1,0 +1,77 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "brickwall/core/io/DataSet.h"
+#include "brickwall/core/render/Renderer.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace brickwall {
+
+/// What the user says about the scene and how it is integrated, the same words in every command and in view files.
+struct SceneOptions
+{
+    std::string data;
+    std::string field;               ///< empty: the data set's default
+    std::string nonFinite = "error"; ///< values that are not: error, or empty cells
+    std::string transferFunction;    ///< .xf or JSON file; empty: chosen from the data
+    std::string colorMap;            ///< empty: that of the transfer function, or cool-warm
+    std::vector<double> range;       ///< empty, or lo and hi
+    double opacityScale = 1.0;
+    std::string shading = "headlight";
+    std::string volume = "on";
+    std::vector<double> iso;
+    std::vector<double> isoColors;  ///< r, g, b in sRGB: none, one for all, or one per value
+    std::vector<double> isoOpacity; ///< none, one for all, or one per value
+    std::vector<double> background; ///< empty (black, or the rig's), or r, g, b in sRGB
+    std::string method = "bounded";
+    std::optional<double> tolerance; ///< of bounded
+    std::optional<double> dt;        ///< of the methods that take steps
+    int threads = 0;
+};
+
+/// Adds DATA, a required argument.
+void addDataOption(CLI::App& command, SceneOptions& options);
+/// Adds what is shown and --threads.
+void addSceneOptions(CLI::App& command, SceneOptions& options);
+void addNonFiniteOption(CLI::App& command, SceneOptions& options);
+void addBackgroundOption(CLI::App& command, SceneOptions& options);
+/// Adds --method, --tolerance and --dt.
+void addMethodOptions(CLI::App& command, SceneOptions& options);
+void addThreadsOption(CLI::App& command, int& threads);
+
+/// How messages name an option, from its key in view files ("iso_color").
+using PlaceOfOption = std::function<std::string(std::string_view key)>;
+std::string commandLinePlace(std::string_view key);
+
+/// The one list of limits, for the command line and for view files. Throws Error.
+void checkSceneOptions(const SceneOptions& options, const PlaceOfOption& placeOf);
+
+/// A number, or a fraction of two ("1/255"). Throws Error naming `place`.
+double parseNumber(const std::string& text, const std::string& place);
+
+/// Whether a method has a step, or else none (bounded has a tolerance, reference has neither).
+bool takesSteps(Method method);
+/// Its name in `methodNames`, and back; throws Error naming `place`.
+const char* nameOf(Method method);
+Method methodOf(const std::string& name, const std::string& place);
+/// A method with its parameter, for people: "midpoint, dt 0.5".
+std::string describe(const RenderSettings& settings);
+
+// Of options that are within the limits:
+RenderSettings renderSettings(const SceneOptions& options);
+NonFinite nonFiniteOf(const SceneOptions& options);
+/// The background as linear RGB; `otherwise` if the user did not say.
+vec3f backgroundColor(const SceneOptions& options, const vec3f& otherwise = vec3f(0.0f));
+/// Colours that the user did not give are those of the transfer function.
+std::vector<IsoSurface> isoSurfaces(const SceneOptions& options, const TransferFunction& transferFunction);
+
+} // namespace brickwall
