@@ -111,9 +111,7 @@ KeptOfShading measure(const Subject& subject, const TransferFunction& tf, Shadin
     const Executor executor;
     RenderSettings settings;
     settings.shading = shading;
-    // Of the known weakness, as many as a view of that size may have; small ones none.
-    const std::uint64_t tolerated =
-        shading == Shading::headlight ? unadmittedLitPixels * std::uint64_t(size) * std::uint64_t(size) / 1024 : 0;
+    const std::uint64_t tolerated = unadmittedPixels * std::uint64_t(size) * std::uint64_t(size) / 1024;
     KeptOfShading kept;
     for (const Shown& shown : shownOf(subject, tf, size, executor)) {
         settings.method = Method::reference;

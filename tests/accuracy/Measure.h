@@ -28,10 +28,10 @@ struct KeptOfShading
     double opacity = 0.0;                   ///< the largest in the reference: whether there is anything to see
 };
 
-/// A known weakness (docs/accuracy.md, "What is outside"): the headlight's |cos| may dip or jump between two places
-/// that the bounded method looks at. So many pixels of a view of 1024 may be over the tolerance without being admitted,
-/// with the headlight on; without it, none.
-inline constexpr std::uint64_t unadmittedLitPixels = 2;
+/// Known weaknesses (docs/accuracy.md, "What is outside"): the headlight's |cos| may dip or jump between two places
+/// that the bounded method looks at, and a ray may touch a spike that floats hardly resolve. So many pixels of a view
+/// of 1024 may be over the tolerance without being admitted; of smaller views none.
+inline constexpr std::uint64_t unadmittedPixels = 2;
 
 /// Renders three views of `size` x `size` pixels: from outside, from inside, and from outside through translucent
 /// isosurfaces onto triangles in the middle of the data. By the reference once, by the bounded method for all
