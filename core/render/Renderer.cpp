@@ -197,7 +197,7 @@ void Renderer::setTransferFunction(const TransferFunction& transferFunction)
     TransferTable table = tabulate(transferFunction, tableSize);
     state_->integral = integrate(transferFunction);
     state_->bounds = regionBounds(*scene.field, state_->integral, state_->executor);
-    state_->nodes = visibleNodes(*scene.regions, *scene.field, state_->integral, state_->executor);
+    state_->nodes = visibleNodes(*scene.regions, state_->bounds, state_->executor);
     state_->table = std::move(table);
     state_->scene.transferFunction = transferFunction;
 }

@@ -22,8 +22,7 @@ public:
     HWY_INLINE BoundedPieces(BoundedRays& rays, const Region& region, std::uint32_t index)
         : rays_(rays),
           bounds_(rays.scene.regionBounds[index]),
-          piece_(*rays.scene.regions, region, rays.scene.field->values.data(), rays.scene.origin, rays.ray,
-                 rays.scene.field->regionRanges[index].lo),
+          piece_(*rays.scene.regions, region, rays.scene.field->values.data(), rays.scene.origin, rays.ray),
           width_(static_cast<float>(1 << region.finestLevel)),
           carried_(firstLanes(0)),
           last_{rays.scene.field->regionRanges[index].lo, 0.0f,

@@ -17,7 +17,7 @@ class OneBrickPieces
 {
 public:
     HWY_INLINE OneBrickPieces(const RegionTree& tree, const Region& region, const float* fieldValues,
-                              const vec3i& origin, const RayN& ray, float)
+                              const vec3i& origin, const RayN& ray)
         : brick_(tree.bricks[tree.brickLists[region.firstBrick]], fieldValues, origin),
           planes_(ray, region.finestLevel, origin)
     {

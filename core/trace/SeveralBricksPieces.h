@@ -13,19 +13,19 @@ HWY_BEFORE_NAMESPACE();
 namespace brickwall::HWY_NAMESPACE {
 
 /// B on pieces in a region of several bricks: N / D, each a cubic; pieces end at the planes of all levels. N is of
-/// values less `reference`, which keeps constants exact and cancellation small.
+/// values less a reference, which keeps constants exact and cancellation small.
 class SeveralBricksPieces
 {
 public:
     HWY_INLINE SeveralBricksPieces(const RegionTree& tree, const Region& region, const float* fieldValues,
-                                   const vec3i& origin, const RayN& ray, float reference)
-        : tree_(tree), region_(region), values_(fieldValues), origin_(origin), ray_(ray), reference_(reference)
+                                   const vec3i& origin, const RayN& ray)
+        : tree_(tree), region_(region), values_(fieldValues), origin_(origin), ray_(ray)
     {
         std::uint32_t levels = 0;
         for (const std::uint32_t brick : bricks())
             levels |= 1u << tree.bricks[brick].level;
         for (int level = region.finestLevel; level <= region.coarsestLevel; ++level)
-            if (levels >> level & 1 && levelCount_ < mostLevels)
+            if (levels >> level & 1)
                 planes_[levelCount_++] = PlanesN(ray, level, origin);
     }
 

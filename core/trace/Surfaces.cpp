@@ -55,7 +55,7 @@ private:
         const FloatN rounding = 2e-6f * std::max(std::abs(range.lo), std::abs(range.hi));
         const FloatN margin = fma(reachInCells, range.hi - range.lo, rounding);
         const FloatN shortMargin = fma(reachInCells, all.hi - all.lo, rounding);
-        OneBrickPieces pieces(*scene_.regions, region, scene_.field->values.data(), scene_.origin, ray_, range.lo);
+        OneBrickPieces pieces(*scene_.regions, region, scene_.field->values.data(), scene_.origin, ray_);
         FloatN t = t0;
         while (any(active)) {
             const FloatN end = min(pieces.end(t, reach_), t1);

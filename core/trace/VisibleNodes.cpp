@@ -37,11 +37,9 @@ std::vector<KdNode> keepLeaves(const RegionTree& tree, const Executor& executor,
 
 } // namespace
 
-std::vector<KdNode> visibleNodes(const RegionTree& tree, const PaddedField& field, const TransferIntegral& integral,
-                                 const Executor& executor)
+std::vector<KdNode> visibleNodes(const RegionTree& tree, std::span<const RegionBounds> bounds, const Executor& executor)
 {
-    return keepLeaves(tree, executor,
-                      [&](std::uint32_t region) { return integral.largestExtinction(field.regionRanges[region]) > 0.0f; });
+    return keepLeaves(tree, executor, [&](std::uint32_t region) { return bounds[region].extinction > 0.0f; });
 }
 
 std::vector<KdNode> surfaceNodes(const RegionTree& tree, const PaddedField& field, std::span<const IsoSurface> surfaces,

@@ -126,21 +126,6 @@ std::vector<std::string> sampleNames()
     return {"sample:wake:60k", "sample:cloud:60k", "sample:impact:60k"};
 }
 
-std::vector<std::string> fileNames()
-{
-    return {"amrex/blast_small_plt00050",
-            "amrex/sphere_laminar_3lev_plt00360",
-            "exabrick/flash_sedov.exa",
-            "exabrick/sphere_laminar.exa",
-            "vdb/sphere_laminar_full_3lev.vdb",
-            "vdb/sphere_small_full_3lev.vdb",
-            "vdb/smoke.vdb",
-            "flash/sedov_hdf5_plt_cnt_0001",
-            "vtk/HierarchicalBoxDataset.v1.0.vthb",
-            "vtk/HierarchicalBoxDataset.v1.1.vthb",
-            "chombo/chk000100.3d.hdf5"};
-}
-
 std::shared_ptr<const Subject> subjectNamed(const std::string& name, std::string& missing)
 {
     static std::shared_ptr<const Subject> last;

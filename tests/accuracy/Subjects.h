@@ -30,7 +30,6 @@ struct Subject
 /// Random layouts, by their seed and what is special about them; the shipped samples; files of the shared folder.
 std::vector<std::string> oracleNames();
 std::vector<std::string> sampleNames();
-std::vector<std::string> fileNames();
 
 /// The subject of that name, kept until another is asked for. Null, with the reason in `missing`, for a file that is
 /// not there or whose format nobody reads.

@@ -1,6 +1,8 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "Table.h"
 
+#include "brickwall/tests/oracles/RealFiles.h"
+
 #include <gtest/gtest.h>
 
 #include <cctype>
@@ -96,7 +98,7 @@ TEST_P(ToleranceLong, IsKept)
 
 INSTANTIATE_TEST_SUITE_P(Oracles, ToleranceLong, testing::ValuesIn(allOf(oracleNames())), nameOf);
 INSTANTIATE_TEST_SUITE_P(Samples, ToleranceLong, testing::ValuesIn(allOf(sampleNames())), nameOf);
-INSTANTIATE_TEST_SUITE_P(Files, ToleranceLong, testing::ValuesIn(allOf(fileNames())), nameOf);
+INSTANTIATE_TEST_SUITE_P(Files, ToleranceLong, testing::ValuesIn(allOf(oracles::realFiles)), nameOf);
 
 } // namespace
 } // namespace brickwall::test

@@ -123,7 +123,7 @@ TEST_F(RenderInvariance, SkippedRegionsChangeNothing)
     // Most of the data is transparent, and most regions therefore invisible.
     const TransferFunction tf = extinctionRamp({0.85f, 0.95f}, 0.0f, 0.7f, false);
     const TransferTable table = tabulate(tf);
-    const auto visible = visibleNodes(*scene.regions, *scene.field, integrate(tf), serial);
+    const auto visible = visibleNodes(*scene.regions, regionBounds(*scene.field, integrate(tf), serial), serial);
     const ViewRays rays(view, scene.regions->bounds, mat4d(1.0), true);
     TraceScene s;
     s.regions = scene.regions.get();

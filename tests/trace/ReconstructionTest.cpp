@@ -4,6 +4,7 @@
 #include "brickwall/core/io/Sample.h"
 #include "brickwall/tests/oracles/Fields.h"
 #include "brickwall/tests/oracles/RandomLayout.h"
+#include "brickwall/tests/oracles/RealFiles.h"
 #include "brickwall/tests/oracles/ReferenceReconstruction.h"
 
 #include <gtest/gtest.h>
@@ -131,18 +132,6 @@ Model loaded(const std::unique_ptr<DataSet>& set)
 
 const std::string shared = BRICKWALL_SOURCE_DIR "/../shared/data/";
 
-const std::vector<std::string> files{"amrex/sphere_laminar_3lev_plt00360",
-                                     "amrex/blast_small_plt00050",
-                                     "exabrick/sphere_laminar.exa",
-                                     "exabrick/flash_sedov.exa",
-                                     "vdb/sphere_laminar_full_3lev.vdb",
-                                     "vdb/sphere_small_full_3lev.vdb",
-                                     "vdb/smoke.vdb",
-                                     "flash/sedov_hdf5_plt_cnt_0001",
-                                     "vtk/HierarchicalBoxDataset.v1.0.vthb",
-                                     "vtk/HierarchicalBoxDataset.v1.1.vthb",
-                                     "chombo/chk000100.3d.hdf5"};
-
 /// A format that nobody reads yet is no failure of the reconstruction; a file that its reader refuses is one.
 void expectTwinOfFile(const std::string& file, std::size_t count)
 {
@@ -193,7 +182,7 @@ TEST_P(ReconstructionOfFile, IsThatOfTheTwinLong)
     expectTwinOfFile(GetParam(), 1000000);
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, ReconstructionOfFile, testing::ValuesIn(files), [](const auto& info) {
+INSTANTIATE_TEST_SUITE_P(Files, ReconstructionOfFile, testing::ValuesIn(oracles::realFiles), [](const auto& info) {
     std::string name = info.param;
     std::ranges::replace_if(
         name, [](unsigned char c) { return !std::isalnum(c); }, '_');

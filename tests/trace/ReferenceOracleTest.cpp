@@ -155,12 +155,9 @@ double differenceBackwards(const ReferenceScene& scene, const TransferFunction& 
     double largest = 0.0;
     for (int i = 0; i < 40; ++i) {
         ReferenceRay ray = randomRay(scene.regions, random);
-        if (i % 2) { // along an axis, in planes of faces and centres
-            ray.org = glm::round(2.0 * ray.org) * 0.5;
-            ray.dir = vec3d(0.0);
-            ray.dir[i / 2 % 3] = 1.0;
-        }
-        const ReferenceRay back{ray.org + ray.tFar * ray.dir, -ray.dir, 0.0, ray.tFar};
+        if (i % 2)
+            ray = snapped(ray, i / 2 % 3);
+        const ReferenceRay back = backwards(ray);
         const double there = integrator.integrate(ray).transmittance;
         largest = std::max(largest, std::abs(there - integrator.integrate(back).transmittance));
     }

@@ -53,6 +53,21 @@ inline ReferenceRay randomRay(const RegionTree& regions, oracles::Random& random
     return between(lower + a * extent, lower + b * extent);
 }
 
+/// Along an axis instead, in planes of faces and of cell centres.
+inline ReferenceRay snapped(ReferenceRay ray, int axis)
+{
+    ray.org = glm::round(2.0 * ray.org) * 0.5;
+    ray.dir = vec3d(0.0);
+    ray.dir[axis] = 1.0;
+    return ray;
+}
+
+/// From its end to its start.
+inline ReferenceRay backwards(const ReferenceRay& ray)
+{
+    return {ray.org + ray.tFar * ray.dir, -ray.dir, 0.0, ray.tFar};
+}
+
 /// Random values on a random layout.
 inline Model randomModel(std::uint64_t seed)
 {

@@ -204,12 +204,9 @@ TEST(ReferenceSurfaces, AreTheSameFromBothSides)
         oracles::Random random(seed);
         for (int i = 0; i < 200; ++i) {
             ReferenceRay ray = randomRay(scene.regions, random);
-            if (i % 2) { // along an axis, in planes of faces and centres
-                ray.org = glm::round(2.0 * ray.org) * 0.5;
-                ray.dir = vec3d(0.0);
-                ray.dir[i / 2 % 3] = 1.0;
-            }
-            const ReferenceRay back{ray.org + ray.tFar * ray.dir, -ray.dir, 0.0, ray.tFar};
+            if (i % 2)
+                ray = snapped(ray, i / 2 % 3);
+            const ReferenceRay back = backwards(ray);
             const auto there = integrator.surfaceHits(ray), returned = integrator.surfaceHits(back);
             ASSERT_EQ(there.size(), returned.size()) << "seed " << seed << " ray " << i;
             for (std::size_t k = 0; k < there.size(); ++k) {

@@ -124,13 +124,15 @@ TEST(VisibleNodes, KeepTheTreeWhereThereIsSomethingToSee)
     const Walked data;
     const Executor serial(1);
     const RegionTree& tree = *data.scene.regions;
-    const auto allNodes = visibleNodes(tree, *data.scene.field, integrate(extinctionRamp({-2, 2}, 1, 1)), serial);
+    const auto allNodes =
+        visibleNodes(tree, regionBounds(*data.scene.field, integrate(extinctionRamp({-2, 2}, 1, 1)), serial), serial);
     ASSERT_EQ(allNodes.size(), tree.nodes.size());
     for (std::size_t i = 0; i < allNodes.size(); ++i) {
         EXPECT_EQ(allNodes[i].axis, tree.nodes[i].axis);
         EXPECT_EQ(allNodes[i].child, tree.nodes[i].child);
     }
-    const auto noNodes = visibleNodes(tree, *data.scene.field, integrate(extinctionRamp({2, 3}, 1, 1)), serial);
+    const auto noNodes =
+        visibleNodes(tree, regionBounds(*data.scene.field, integrate(extinctionRamp({2, 3}, 1, 1)), serial), serial);
     EXPECT_EQ(noNodes[0].axis, 3u);
     EXPECT_EQ(noNodes[0].child, KdNode::emptyLeaf);
 }
