@@ -48,6 +48,15 @@ struct TransferIntegral
     float bucketsPerUnit = 0.0f; ///< linear: bucket = int((v - range.lo) * bucketsPerUnit)
     int bucketShift = 0;         ///< logarithmic: bucket = (bits(v) - bits(range.lo)) >> bucketShift
 
+    /// The density in a bucket as a line, where that meets the segments within 1e-4 of sigma(v) plus 1e-6 of the largest
+    /// extinction; NaN where it does not, as at steps and spikes.
+    struct alignas(32) Bucket
+    {
+        vec4f density; ///< at the lower end
+        vec4f rise;    ///< to the upper end
+    };
+    std::vector<Bucket> buckets;
+
     /// Sparse tables: [k][i] = max over segments i .. i + 2^k - 1.
     std::vector<std::vector<float>> maxExtinction;
     std::vector<std::vector<float>> maxVariation; ///< infinite where a segment begins with a step

@@ -11,7 +11,7 @@
 namespace brickwall {
 namespace {
 
-constexpr int mostBuckets = 1024; // 4 KB, which stay in the cache
+constexpr int mostBuckets = 4096; // 128 KB of lines, of which neighbouring rays use a small part
 
 std::vector<std::vector<float>> maximaOf(std::vector<float> values)
 {
@@ -83,12 +83,66 @@ void tabulateBuckets(TransferIntegral& f)
         f.firstSegments[b] = std::max(f.firstSegments[b], f.firstSegments[b - 1]);
 }
 
+/// Where a value is, in buckets, as lanes find it: linear in the value, or in its bits.
+double bucketPlace(const TransferIntegral& f, double value)
+{
+    if (f.scale == Scale::linear)
+        return (value - double(f.range.lo)) * double(f.bucketsPerUnit);
+    const auto bits = [](float v) { return double(std::bit_cast<std::uint32_t>(v)); };
+    return (bits(float(value)) - bits(f.range.lo)) / double(1u << f.bucketShift);
+}
+
+/// A bucket's lower edge; `bucketOf` rounds, so that values next to it may count for the other side.
+double bucketEdge(const TransferIntegral& f, std::size_t bucket)
+{
+    if (f.scale == Scale::linear)
+        return double(f.range.lo) + double(bucket) / double(f.bucketsPerUnit);
+    const auto bits = std::bit_cast<std::uint32_t>(f.range.lo) + (std::uint32_t(bucket) << f.bucketShift);
+    return double(std::bit_cast<float>(bits));
+}
+
+vec4d densityIn(const TransferIntegral& f, int segment, double value)
+{
+    const TransferIntegral::Segment& s = f.segments[segment];
+    return glm::max(vec4d(s.density) + vec4d(s.slope) * (value - double(f.knots[segment])), 0.0);
+}
+
+/// The line through the ends of a bucket, if it says what is in between.
+TransferIntegral::Bucket bucketLine(const TransferIntegral& f, std::size_t bucket)
+{
+    const int first = int(f.firstSegments[bucket]), last = int(f.firstSegments[bucket + 1]);
+    const double lo = bucketEdge(f, bucket), hi = bucketEdge(f, bucket + 1);
+    const vec4d start = densityIn(f, first, lo), rise = densityIn(f, last, hi) - start;
+    const auto isMet = [&](int segment, double value) {
+        const vec4d exact = densityIn(f, segment, value);
+        const vec4d off = glm::abs(exact - start - rise * (bucketPlace(f, value) - double(bucket)));
+        const double allowed = 1e-4 * exact.w + 1e-6 * double(f.maxExtinction.back().front());
+        return std::max({off.x, off.y, off.z, off.w}) <= allowed;
+    };
+    bool met = true;
+    for (int knot = first + 1; knot <= last; ++knot)
+        met = met && isMet(knot - 1, f.knots[knot]) && isMet(knot, f.knots[knot]);
+    // The bits of values double their meaning where the exponent changes.
+    const double power = std::exp2(std::floor(std::log2(hi)));
+    if (f.scale == Scale::logarithmic && power > lo)
+        met = met && isMet(power < f.knots[last] ? first : last, power);
+    const float absent = met ? 0.0f : std::numeric_limits<float>::quiet_NaN();
+    return {vec4f(start) + absent, vec4f(rise)};
+}
+
+void tabulateBucketLines(TransferIntegral& f)
+{
+    for (std::size_t b = 0; b < std::size_t(f.bucketCount()); ++b)
+        f.buckets.push_back(bucketLine(f, b));
+}
+
 } // namespace
 
 void tabulateQueries(TransferIntegral& integral, const std::vector<bool>& steps)
 {
     tabulateMaxima(integral, steps);
     tabulateBuckets(integral);
+    tabulateBucketLines(integral);
 }
 
 int TransferIntegral::bucketOf(float value) const

@@ -162,6 +162,10 @@ HWY_INLINE FloatN floor(FloatN a)
 {
     return hn::Floor(a.v);
 }
+HWY_INLINE FloatN ceil(FloatN a)
+{
+    return hn::Ceil(a.v);
+}
 HWY_INLINE FloatN sqrt(FloatN a)
 {
     return hn::Sqrt(a.v);
@@ -241,6 +245,10 @@ HWY_INLINE IntN toInt(FloatN a)
 {
     return hn::ConvertTo(IntTag(), a.v);
 }
+HWY_INLINE FloatN toFloat(IntN a)
+{
+    return hn::ConvertTo(FloatTag(), a.v);
+}
 /// The bits of a float as an integer: positive floats and their bits are in the same order.
 HWY_INLINE IntN bitsOf(FloatN a)
 {
@@ -250,6 +258,11 @@ HWY_INLINE IntN bitsOf(FloatN a)
 HWY_INLINE IntN shiftRight(IntN a, int bits)
 {
     return hn::ShiftRightSame(a.v, bits);
+}
+
+HWY_INLINE IntN shiftLeft(IntN a, int bits)
+{
+    return hn::ShiftLeftSame(a.v, bits);
 }
 
 /// base[i] per lane; the base has 64 bits, the indices 32.

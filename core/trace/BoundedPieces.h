@@ -158,6 +158,7 @@ private:
         const FloatN wanted = cubeRoot(allowed / max(errs * errs, FloatN(1e-30f)));
         r.step = select(lanes, h * min(wanted, 2.0f), r.step);
         r.lastAt = select(lanes, end, r.lastAt);
+        r.lastStep = select(lanes, 0.0f, r.lastStep);
     }
 
     BoundedRays& rays_;

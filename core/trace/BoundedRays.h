@@ -29,9 +29,10 @@ struct BoundedRays
     FloatN rounding; ///< errors that no refinement would take away: no part of the budget
 
     // What was found last, for the steps that are taken next.
-    FloatN step;   ///< suggested
-    FloatN lastAt; ///< t where that was
-    QuadN last;    ///< c sigma, sigma there; c with the light
+    FloatN step;     ///< suggested
+    FloatN lastAt;   ///< t where that was
+    FloatN lastStep; ///< taken; 0 after a piece
+    QuadN last;      ///< c sigma, sigma there; c with the light
 
     BoundedRays(const TraceScene& traceScene, const BoundedParameters& parameters, const RayN& rays, FloatN end,
                 FloatN worldStretch, FloatN error)
@@ -45,6 +46,7 @@ struct BoundedRays
           rounding(0.0f),
           step(0.5f),
           lastAt(-1.0f),
+          lastStep(0.0f),
           last{0.0f, 0.0f, 0.0f, 0.0f}
     {
     }
@@ -65,7 +67,6 @@ struct BoundedRays
 
     /// Since what was found last.
     HWY_INLINE FloatN changeTo(const QuadN& density) const { return largestChange(density - last); }
-
     HWY_INLINE void add(MaskN lanes, const SegmentN& segment, FloatN t, FloatN length)
     {
         // Lanes that are not meant may hold anything, even NaN.

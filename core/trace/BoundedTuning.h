@@ -26,8 +26,12 @@ inline constexpr float trust = 8.0f;
 inline constexpr float resolvedTrust = 2.5f;
 /// They do where the extinction changes by at most this share of its largest from one sample to the next.
 inline constexpr float resolvedChange = 1.0f;
-/// Of a cell: shorter steps pay less than taking each piece between cell centres by itself. Tuned for time alone.
+/// Of a cell: shorter steps pay less than taking each piece between cell centres by itself, in regions of one brick and
+/// of several. Tuned for time alone.
 inline constexpr float shortestStep = 0.12f;
+inline constexpr float shortestStepOfSeveral = 0.06f;
+/// How much more than by its length a short step may err, squared. Tuned.
+inline constexpr float mostShortSteps = 2.0f;
 /// A step is taken if it errs by at most this many times its share, and the next one is shorter; else it is tried
 /// again. (Errors grow with h^2, their squares per length with h^3, biases per length with h^2: what is over is made up
 /// for.)

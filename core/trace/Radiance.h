@@ -48,8 +48,13 @@ struct RadianceN
     /// that would cancel. Keeps the depth of an opaque surface sharp.
     HWY_INLINE static FloatN meanDepth(FloatN depth, FloatN through, FloatN absorbed)
     {
-        const FloatN exact = fnma(depth, through, absorbed) / (depth * absorbed);
-        return select(depth < FloatN(0.1f), fnma(depth, 1.0f / 12.0f, 0.5f), exact);
+        const FloatN square = depth * depth;
+        const FloatN inner = fma(square, fma(square, 1.0f / 30240.0f, -1.0f / 720.0f), 1.0f / 12.0f);
+        const FloatN series = fnma(depth, inner, 0.5f);
+        const MaskN thin = depth <= FloatN(0.5f);
+        if (all(thin))
+            return series;
+        return select(thin, series, fnma(depth, through, absorbed) / select(thin, 1.0f, depth * absorbed));
     }
 };
 

@@ -20,6 +20,22 @@ HWY_INLINE FloatN largestChange(const QuadN& d)
                max(max(abs(d.c), abs(d.c - d.d)), abs(d.d)));
 }
 
+/// (1 - e^-x) / x and `through` = e^-x: a series where lanes are thin, which needs neither exponential nor division.
+HWY_INLINE FloatN absorbedPerDepth(FloatN x, FloatN& through)
+{
+    FloatN series = fnma(x, 1.0f / 40320.0f, 1.0f / 5040.0f);
+    for (const float factorial : {720.0f, 120.0f, 24.0f, 6.0f, 2.0f, 1.0f})
+        series = fnma(x, series, 1.0f / factorial);
+    const MaskN thin = x <= FloatN(0.5f);
+    const FloatN seriesThrough = fnma(x, series, 1.0f);
+    if (all(thin)) {
+        through = seriesThrough;
+        return series;
+    }
+    through = select(thin, seriesThrough, exp(-x));
+    return select(thin, series, (FloatN(1.0f) - through) / select(thin, 1.0f, x));
+}
+
 /// A segment of a ray with the mean colour and extinction that it has.
 struct SegmentN
 {
@@ -30,11 +46,7 @@ struct SegmentN
     HWY_INLINE SegmentN(const QuadN& mean, FloatN shade, FloatN length)
     {
         depth = mean.d * length;
-        through = exp(-depth);
-        // (1 - e^-x) / x, a series where that would cancel.
-        const FloatN series = fma(depth, fma(depth, fnma(depth, 1.0f / 24.0f, 1.0f / 6.0f), -0.5f), 1.0f);
-        const MaskN thin = depth < FloatN(0.05f);
-        const FloatN ratio = select(thin, series, (FloatN(1.0f) - through) / select(thin, 1.0f, depth));
+        const FloatN ratio = absorbedPerDepth(depth, through);
         opacity = depth * ratio;
         const FloatN scale = length * ratio * shade;
         red = mean.a * scale;

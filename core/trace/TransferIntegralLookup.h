@@ -75,6 +75,7 @@ public:
         : knots_(integral.knots.data()),
           records_(&integral.segments.front().integral.x),
           firstSegments_(integral.firstSegments.data()),
+          buckets_(&integral.buckets.front().density.x),
           lo_(integral.range.lo),
           hi_(integral.range.hi),
           logarithmic_(integral.scale == Scale::logarithmic),
@@ -85,6 +86,18 @@ public:
     }
 
     float colorSlope() const { return colorSlope_; }
+
+    /// c sigma and sigma where nothing else is asked of a value; 0 outside the range and in lanes that are not active.
+    HWY_INLINE QuadN densityAt(FloatN value, MaskN active) const
+    {
+        const MaskN within = active & (value >= FloatN(lo_)) & (value <= FloatN(hi_));
+        const BucketN bucket = bucketOf(select(within, value, lo_));
+        const IntN line = bucket.index * IntN(8);
+        const QuadN start = gatherQuads(QuadAt{buckets_}, line);
+        if (!all(start.d == start.d)) // not a line in there
+            return at(value, active).density();
+        return valueOrZero(within, fma(gatherQuads(QuadAt{buckets_ + 4}, line), bucket.f, start));
+    }
 
     /// Lanes that are not active get the lower end of the range.
     HWY_INLINE TransferPointN at(FloatN value, MaskN active) const
@@ -97,7 +110,7 @@ public:
         const IntN index = toInt(p.segment);
         p.above = p.inside - gather(knots_, index);
         p.slope = quad(slopeAt, index);
-        p.limit = fma(p.slope, p.above, quad(densityAt, index));
+        p.limit = fma(p.slope, p.above, quad(limitAt, index));
         return p;
     }
 
@@ -126,7 +139,7 @@ public:
     }
 
 private:
-    static constexpr int integralAt = 0, restAt = 4, densityAt = 8, slopeAt = 12;
+    static constexpr int integralAt = 0, restAt = 4, limitAt = 8, slopeAt = 12;
     static_assert(sizeof(TransferIntegral::Segment) == 16 * sizeof(float));
 
     HWY_INLINE QuadN quad(int part, IntN segment) const
@@ -163,7 +176,7 @@ private:
 
     HWY_INLINE FloatN segmentOf(FloatN value) const
     {
-        const IntN bucket = logarithmic_ ? bucketOfBits(value) : toInt((value - FloatN(lo_)) * FloatN(bucketsPerUnit_));
+        const IntN bucket = bucketOf(value).index;
         FloatN first = gather(firstSegments_, bucket), last = gather(firstSegments_ + 1, bucket);
         while (any(first < last)) {
             const FloatN middle = floor(fma(first + last, 0.5f, 0.5f));
@@ -174,14 +187,28 @@ private:
         return first;
     }
 
-    HWY_INLINE IntN bucketOfBits(FloatN value) const
+    struct BucketN
     {
-        return shiftRight(bitsOf(value) - IntN(std::bit_cast<std::int32_t>(lo_)), bucketShift_);
+        IntN index;
+        FloatN f; ///< where in it, in [0, 1] up to rounding
+    };
+
+    HWY_INLINE BucketN bucketOf(FloatN value) const
+    {
+        if (logarithmic_) {
+            const IntN bits = bitsOf(value) - IntN(std::bit_cast<std::int32_t>(lo_));
+            const IntN index = shiftRight(bits, bucketShift_);
+            return {index, toFloat(bits - shiftLeft(index, bucketShift_)) * FloatN(1.0f / float(1 << bucketShift_))};
+        }
+        const FloatN x = (value - FloatN(lo_)) * FloatN(bucketsPerUnit_);
+        const IntN index = toInt(x);
+        return {index, x - toFloat(index)};
     }
 
     const float* knots_;
     const float* records_;
     const float* firstSegments_;
+    const float* buckets_;
     float lo_, hi_;
     bool logarithmic_;
     float colorSlope_;

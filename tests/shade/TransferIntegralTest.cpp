@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <random>
 
 namespace brickwall {
@@ -124,6 +126,41 @@ TEST(TransferIntegral, MeetsTheExactFunction)
             for (int c = 0; c < 4; ++c)
                 ASSERT_NEAR(found[c], exact[c], allowed + 2.0 * blur(f, v)) << name << " at " << v;
         }
+    }
+}
+
+/// Where a value is in its bucket, as lanes find it.
+float placeInBucket(const TransferIntegral& f, float v)
+{
+    const int bucket = f.bucketOf(v);
+    if (f.scale == Scale::linear)
+        return (v - f.range.lo) * f.bucketsPerUnit - float(bucket);
+    const auto bits = std::bit_cast<std::uint32_t>(v) - std::bit_cast<std::uint32_t>(f.range.lo);
+    return float(bits - (std::uint32_t(bucket) << f.bucketShift)) / float(1u << f.bucketShift);
+}
+
+TEST(TransferIntegral, LinesOfBucketsMeetTheSegmentsOrSayThatTheyDoNot)
+{
+    for (const auto& [name, tf] : functions()) {
+        const TransferIntegral f = integrate(tf);
+        ASSERT_EQ(int(f.buckets.size()), f.bucketCount()) << name;
+        const double largest = f.largestExtinction(tf.range);
+        std::size_t lines = 0;
+        const std::vector<float> values = valuesOf(f);
+        for (const float v : values) {
+            const TransferIntegral::Bucket& bucket = f.buckets[f.bucketOf(v)];
+            if (std::isnan(bucket.density.w))
+                continue;
+            ++lines;
+            const vec4d found = vec4d(bucket.density) + vec4d(bucket.rise) * double(placeInBucket(f, v));
+            const vec4d exact = densityAt(f, v);
+            for (int c = 0; c < 4; ++c)
+                ASSERT_NEAR(found[c], exact[c],
+                            1.1e-4 * exact.w + 1.1e-6 * largest + 2.0 * blur(f, v) + 3e-4 * std::abs(bucket.rise.w))
+                    << name << " at " << v;
+        }
+        if (name == "extinction ramp")
+            EXPECT_GT(lines, values.size() / 2);
     }
 }
 
