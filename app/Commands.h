@@ -16,6 +16,7 @@ using Action = std::function<int()>;
 void addInfoCommand(CLI::App& app, Action& chosen);
 void addRenderCommand(CLI::App& app, Action& chosen);
 void addViewCommand(CLI::App& app, Action& chosen);
+void addConvertCommand(CLI::App& app, Action& chosen);
 void addSampleCommand(CLI::App& app, Action& chosen);
 void addRigCommand(CLI::App& app, Action& chosen);
 void addChartCommand(CLI::App& app, Action& chosen);

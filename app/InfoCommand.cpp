@@ -3,7 +3,7 @@
 #include "SceneSetup.h"
 #include "TerminalProgress.h"
 
-#include "brickwall/core/io/DataSet.h"
+#include "brickwall/core/io/VectorFields.h"
 #include "brickwall/core/model/Regions.h"
 
 #include <CLI/CLI.hpp>
@@ -33,6 +33,7 @@ struct DataSummary
     std::string defaultField;
     Model model; ///< without values
     std::vector<FieldSummary> fields;
+    std::vector<VectorFields> vectors;
     std::size_t regions = 0, multiBrickRegions = 0, levelBoundaryRegions = 0;
     std::uint64_t modelBytes = 0, regionBytes = 0, bytesPerField = 0;
 };
@@ -48,13 +49,15 @@ void summarizeFields(const DataSet& data, std::span<const std::string> names, co
     summary.model = std::move(model);
 }
 
-DataSummary summarize(const std::string& name, const Executor& executor, Progress& progress)
+DataSummary summarize(const SceneOptions& options, const Executor& executor, Progress& progress)
 {
-    const auto data = openDataSet(name);
+    checkSceneOptions(options, commandLinePlace);
+    const auto data = openData(options);
     DataSummary summary;
     summary.format = data->format();
     summary.defaultField = data->defaultField();
     const std::vector<std::string> fields = data->fieldNames();
+    summary.vectors = findVectors(fields);
     const std::size_t first = std::min<std::size_t>(1, fields.size());
     summarizeFields(*data, std::span(fields).first(first), executor, progress, summary);
     if (summary.model.cellCount * sizeof(float) * fields.size() <= bytesAtOnce) {
@@ -88,6 +91,9 @@ json toJson(const DataSummary& s, const std::string& data)
     json fields = json::array();
     for (const FieldSummary& f : s.fields)
         fields.push_back({{"name", f.name}, {"unit", f.unit}, {"range", {f.range.lo, f.range.hi}}});
+    json vectors = json::array();
+    for (const VectorFields& v : s.vectors)
+        vectors.push_back({{"name", v.name}, {"components", v.components}, {"magnitude", v.magnitude()}});
     const auto list = [](const auto& v) { return json{v.x, v.y, v.z}; };
     return {{"data", data},
             {"format", s.format},
@@ -101,6 +107,7 @@ json toJson(const DataSummary& s, const std::string& data)
             {"world_bounds", {{"lower", list(world.lower)}, {"upper", list(world.upper)}}},
             {"default_field", s.defaultField},
             {"fields", fields},
+            {"vectors", vectors},
             {"triangle_meshes", s.model.meshes.size()},
             {"memory",
              {{"regions_bytes", s.regionBytes + s.modelBytes},
@@ -128,6 +135,9 @@ void print(const DataSummary& s, const std::string& data)
     for (const FieldSummary& f : s.fields)
         fmt::print("{:<12} {:<16} {:g} to {:g} {}{}\n", "field", f.name, f.range.lo, f.range.hi, f.unit,
                    f.name == s.defaultField ? " (default)" : "");
+    for (const VectorFields& v : s.vectors)
+        fmt::print("{:<12} {:<16} {}; its length is the field {}\n", "vector", v.name, fmt::join(v.components, " "),
+                   v.magnitude());
     if (!s.model.meshes.empty())
         fmt::print("{:<12} {}\n", "meshes", s.model.meshes.size());
     constexpr double mb = 1024.0 * 1024.0;
@@ -160,7 +170,7 @@ void addInfoCommand(CLI::App& app, Action& chosen)
         chosen = [options] {
             TerminalProgress progress;
             const Executor executor(options->scene.threads);
-            const DataSummary summary = summarize(options->scene.data, executor, progress);
+            const DataSummary summary = summarize(options->scene, executor, progress);
             progress.end();
             if (options->json)
                 fmt::print(

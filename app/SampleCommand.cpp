@@ -64,7 +64,7 @@ int samplePointsOf(const SceneOptions& options, const std::string& pointsFile)
     const std::vector<vec3d> points = readPoints(pointsFile);
     TerminalProgress progress;
     const Executor executor(options.threads);
-    const auto data = openDataSet(options.data);
+    const auto data = openData(options);
     const Model model = data->load(std::vector{options.field.empty() ? data->defaultField() : options.field}, executor,
                                    progress, nonFiniteOf(options));
     const RegionTree regions = buildRegions(model.bricks, executor, progress);

@@ -18,6 +18,8 @@ void addList(CLI::App& command, const char* name, std::vector<double>& list, con
 void addDataOption(CLI::App& command, SceneOptions& options)
 {
     command.add_option("DATA", options.data, "a file, a folder, or sample:NAME[:SIZE]")->required();
+    command.add_option("--derive", options.derive, "a field more: \"NAME = EXPRESSION of fields\" (may be repeated)")
+        ->allow_extra_args(false);
 }
 
 void addThreadsOption(CLI::App& command, int& threads)

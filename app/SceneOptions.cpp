@@ -2,6 +2,7 @@
 #include "SceneOptions.h"
 
 #include "brickwall/core/base/Error.h"
+#include "brickwall/core/io/DerivedFields.h"
 #include "brickwall/core/shade/ColorMaps.h"
 #include "brickwall/core/shade/Srgb.h"
 
@@ -133,6 +134,7 @@ std::string commandLinePlace(std::string_view key)
 void checkSceneOptions(const SceneOptions& options, const PlaceOfOption& placeOf)
 {
     const Limits limits(placeOf);
+    parseDerivedFields(options.derive, placeOf("derive"));
     checkRange(options.range, limits);
     limits.require(options.opacityScale >= 0.0 && isFinite(options.opacityScale), "opacity_scale",
                    "a finite number of 0 or more", options.opacityScale);
@@ -208,6 +210,11 @@ RenderSettings renderSettings(const SceneOptions& options)
 NonFinite nonFiniteOf(const SceneOptions& options)
 {
     return options.nonFinite == "empty" ? NonFinite::empty : NonFinite::error;
+}
+
+std::unique_ptr<DataSet> openData(const SceneOptions& options)
+{
+    return deriveFields(openDataSet(options.data), parseDerivedFields(options.derive, "--derive"), options.data);
 }
 
 vec3f backgroundColor(const SceneOptions& options, const vec3f& otherwise)

@@ -5,6 +5,7 @@
 #include "brickwall/core/render/Renderer.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,6 +21,7 @@ namespace brickwall {
 struct SceneOptions
 {
     std::string data;
+    std::vector<std::string> derive; ///< fields that the user defines, "NAME = EXPRESSION"
     std::string field;               ///< empty: the data set's default
     std::string nonFinite = "error"; ///< values that are not: error, or empty cells
     std::string transferFunction;    ///< .xf or JSON file; empty: chosen from the data
@@ -38,7 +40,7 @@ struct SceneOptions
     int threads = 0;
 };
 
-/// Adds DATA, a required argument.
+/// Adds DATA, a required argument, and --derive.
 void addDataOption(CLI::App& command, SceneOptions& options);
 /// Adds what is shown and --threads.
 void addSceneOptions(CLI::App& command, SceneOptions& options);
@@ -69,6 +71,8 @@ std::string describe(const RenderSettings& settings);
 // Of options that are within the limits:
 RenderSettings renderSettings(const SceneOptions& options);
 NonFinite nonFiniteOf(const SceneOptions& options);
+/// The data set with the fields that the user defines. Throws Error as openDataSet and deriveFields do.
+std::unique_ptr<DataSet> openData(const SceneOptions& options);
 /// The background as linear RGB; `otherwise` if the user did not say.
 vec3f backgroundColor(const SceneOptions& options, const vec3f& otherwise = vec3f(0.0f));
 /// Colours that the user did not give are those of the transfer function.

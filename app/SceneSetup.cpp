@@ -56,7 +56,7 @@ void noteWhatIsNotSeen(const Scene& scene, const Field& field, Progress& progres
 PreparedScene prepareScene(const SceneOptions& options, const Executor& executor, Progress& progress)
 {
     const Stopwatch loading;
-    const auto data = openDataSet(options.data);
+    const auto data = openData(options);
     const std::string fieldName = options.field.empty() ? data->defaultField() : options.field;
     if (fieldName.empty())
         throw Error(options.data, "there is no field to show");

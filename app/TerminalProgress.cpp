@@ -82,6 +82,8 @@ void TerminalProgress::end()
 void TerminalProgress::note(std::string_view line)
 {
     const std::scoped_lock lock(mutex_);
+    if (!noted_.emplace(line).second)
+        return;
     fmt::print(stderr, "{}{}\n", terminal_ && !stage_.empty() ? "\r\033[K" : "", line);
 }
 

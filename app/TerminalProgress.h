@@ -6,7 +6,9 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <mutex>
+#include <set>
 #include <string>
 
 namespace brickwall {
@@ -23,6 +25,7 @@ public:
     void begin(std::string_view stage, std::uint64_t steps) override;
     void advance(std::uint64_t steps) override;
     void end() override;
+    /// Each line once: work that goes field by field says the same of each.
     void note(std::string_view line) override;
 
 private:
@@ -35,6 +38,7 @@ private:
     bool quiet_;
     bool terminal_;
     std::string stage_;
+    std::set<std::string, std::less<>> noted_;
     std::uint64_t steps_ = 0;
     std::atomic<std::uint64_t> done_{0};
     Clock::time_point started_;

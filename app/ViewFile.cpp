@@ -172,12 +172,22 @@ void maybeNumbers(const Node& node, const char* key, std::vector<double>& number
     }
 }
 
+/// A text or a list of them.
+void maybeTexts(const Node& node, const char* key, std::vector<std::string>& texts)
+{
+    if (node.has(key) && node.at(key).is_string())
+        texts = {node.get<std::string>(key)};
+    else
+        node.maybe(key, texts);
+}
+
 SceneOptions sceneOf(const Node& node, const std::filesystem::path& folder)
 {
     SceneOptions scene;
     node.maybe("data", scene.data);
     if (!scene.data.empty() && scene.data.rfind("sample:", 0) != 0)
         scene.data = (folder / scene.data).string();
+    maybeTexts(node, "derive", scene.derive);
     node.maybe("field", scene.field);
     node.maybe("non_finite", scene.nonFinite);
     if (node.has("tf"))
@@ -216,8 +226,8 @@ ViewFile readViewFile(const std::string& path)
     const json root = parse(path);
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
     const Node node(root, path,
-                    {"data", "field", "non_finite", "tf", "colormap", "range", "opacity_scale", "shading", "volume",
-                     "iso", "iso_color", "iso_opacity", "method", "tolerance", "dt", "views"});
+                    {"data", "derive", "field", "non_finite", "tf", "colormap", "range", "opacity_scale", "shading",
+                     "volume", "iso", "iso_color", "iso_opacity", "method", "tolerance", "dt", "views"});
     ViewFile file;
     file.path = path;
     file.scene = sceneOf(node, folder);

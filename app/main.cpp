@@ -29,6 +29,7 @@ int run(int argc, char** argv)
     brickwall::addInfoCommand(app, chosen);
     brickwall::addRenderCommand(app, chosen);
     brickwall::addViewCommand(app, chosen);
+    brickwall::addConvertCommand(app, chosen);
     brickwall::addSampleCommand(app, chosen);
     brickwall::addRigCommand(app, chosen);
     brickwall::addChartCommand(app, chosen);
@@ -55,6 +56,9 @@ int main(int argc, char** argv)
         return exitCancelled;
     } catch (const std::bad_alloc&) {
         fmt::print(stderr, "brickwall: out of memory\n");
+        return exitBadInput;
+    } catch (const brickwall::TextError& error) {
+        fmt::print(stderr, "brickwall: {}\n{}\n", error.what(), error.excerpt());
         return exitBadInput;
     } catch (const std::exception& error) {
         fmt::print(stderr, "brickwall: {}\n", error.what());

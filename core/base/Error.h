@@ -1,6 +1,7 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -16,6 +17,20 @@ class Error : public std::runtime_error
 public:
     /// An empty place leaves the message alone.
     Error(std::string_view place, std::string_view message);
+};
+
+/// An Error in a text that the user typed. Its line says at which character; commands print `excerpt` under it.
+class TextError : public Error
+{
+public:
+    /// `at` is the byte of `text` that the message is about; its size: behind the end.
+    TextError(std::string_view place, std::string_view message, std::string_view text, std::size_t at);
+
+    /// The text and, in a second line, a caret under the character.
+    const std::string& excerpt() const { return excerpt_; }
+
+private:
+    std::string excerpt_;
 };
 
 /// Thrown by long work after the user asked to stop (Progress::check). It is no error: commands exit with 130.

@@ -50,14 +50,22 @@ void readNumberFormat(TextCursor& text, const std::string& place, FabLayout& lay
     layout.bigEndian = order == normal;
 }
 
-template <class T, class Bits>
-double decode(const std::byte* bytes, bool swap)
+void swapBytes(std::span<double> values)
 {
-    Bits bits;
-    std::memcpy(&bits, bytes, sizeof(bits));
-    if (swap)
-        bits = sizeof(bits) == 4 ? __builtin_bswap32(static_cast<std::uint32_t>(bits)) : __builtin_bswap64(bits);
-    return std::bit_cast<T>(bits);
+    for (double& v : values)
+        v = std::bit_cast<double>(__builtin_bswap64(std::bit_cast<std::uint64_t>(v)));
+}
+
+/// Floats at the end of the same memory become doubles, first to last: a double never reaches beyond its own float.
+void widen(std::span<double> values, bool swap)
+{
+    std::byte* const bytes = reinterpret_cast<std::byte*>(values.data());
+    const std::byte* in = bytes + values.size() * sizeof(float);
+    for (std::size_t i = 0; i < values.size(); ++i, in += sizeof(float)) {
+        std::uint32_t bits;
+        std::memcpy(&bits, in, sizeof(bits));
+        values[i] = std::bit_cast<float>(swap ? __builtin_bswap32(bits) : bits);
+    }
 }
 
 } // namespace
@@ -96,24 +104,21 @@ FabLayout readFabLayout(const InputFile& file, std::uint64_t offset)
     return layout;
 }
 
-FabPlanes::FabPlanes(const InputFile& file, const FabLayout& layout, std::int64_t component, int zBegin, int zEnd)
-    : layout_(layout), zBegin_(zBegin)
+void readFabPlanes(const InputFile& file, const FabLayout& layout, std::int64_t component, int zBegin, int zEnd,
+                   std::vector<double>& values)
 {
     const vec3i size = layout.box.extent();
-    const std::uint64_t plane = std::uint64_t(size.x) * size.y * layout.bytes;
+    const std::uint64_t plane = std::uint64_t(size.x) * size.y;
     const std::uint64_t first = static_cast<std::uint64_t>(component) * size.z + (zBegin - layout.box.lower.z);
-    bytes_.resize(plane * static_cast<std::uint64_t>(zEnd - zBegin));
-    file.readAt(layout.offset + first * plane, std::span<std::byte>(bytes_), "a component of a FAB");
-}
-
-double FabPlanes::at(int x, int y, int z) const
-{
-    const vec3i size = layout_.box.extent();
-    const std::uint64_t row = std::uint64_t(z - zBegin_) * size.y + (y - layout_.box.lower.y);
-    const std::byte* number = bytes_.data() + (row * size.x + (x - layout_.box.lower.x)) * layout_.bytes;
-    const bool swap = layout_.bigEndian != (std::endian::native == std::endian::big);
-    return layout_.bytes == 4 ? decode<float, std::uint32_t>(number, swap)
-                              : decode<double, std::uint64_t>(number, swap);
+    values.resize(plane * static_cast<std::uint64_t>(zEnd - zBegin));
+    const std::span<std::byte> bytes = std::as_writable_bytes(std::span(values));
+    file.readAt(layout.offset + first * plane * layout.bytes, bytes.last(values.size() * layout.bytes),
+                "a component of a FAB");
+    const bool swap = layout.bigEndian != (std::endian::native == std::endian::big);
+    if (layout.bytes == 4)
+        widen(values, swap);
+    else if (swap)
+        swapBytes(values);
 }
 
 } // namespace brickwall

@@ -25,19 +25,8 @@ struct FabLayout
 /// number format that is not IEEE float or double and for data that reach beyond the end of the file.
 FabLayout readFabLayout(const InputFile& file, std::uint64_t offset);
 
-/// The numbers of one component in the planes zBegin <= z < zEnd of the FAB's box, as double.
-class FabPlanes
-{
-public:
-    FabPlanes(const InputFile& file, const FabLayout& layout, std::int64_t component, int zBegin, int zEnd);
-
-    /// The number of cell (x,y,z), in the level's indices.
-    double at(int x, int y, int z) const;
-
-private:
-    FabLayout layout_;
-    int zBegin_;
-    std::vector<std::byte> bytes_;
-};
+/// The numbers of one component in the planes zBegin <= z < zEnd of the FAB's box, x fastest, whatever their format.
+void readFabPlanes(const InputFile& file, const FabLayout& layout, std::int64_t component, int zBegin, int zEnd,
+                   std::vector<double>& values);
 
 } // namespace brickwall

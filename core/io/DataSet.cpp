@@ -1,6 +1,7 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "brickwall/core/io/DataSet.h"
 
+#include "brickwall/core/io/DataName.h"
 #include "brickwall/core/io/Formats.h"
 #include "brickwall/core/io/Sample.h"
 
@@ -38,9 +39,17 @@ std::span<const Format> formats()
     static const std::array all{
         Format{"sample", "sample:NAME[:SIZE], made and not read", openSample},
         Format{"AMReX plotfile", "a folder with a file Header that starts like HyperCLaw-V1.1", openPlotfile},
+        Format{"Brickwall cache", "a file .brickwall", openCache},
         Format{"ExaBrick", "a text file .exa", openExa},
         Format{"ExaBrick bricks", "a file .bricks, with .scalars beside it", openBricks},
         Format{"ExaBrick cells", "a file .cells, with .scalars beside it", openCells},
+        Format{"FLASH", "HDF5 with node type, bounding box and unknown names", openFlash},
+        Format{"Chombo", "HDF5 with Chombo_global and level_0", openChombo},
+        Format{"VTKHDF overlapping AMR", "HDF5 with VTKHDF of the type OverlappingAMR", openVtkHdf, true},
+        Format{"VTK overlapping AMR", "a file .vthb or .vth, with the .vti files that it names", openVtkAmr},
+        Format{"OpenVDB", "a file .vdb, with grids of numbers or vectors", openVdb, true},
+        Format{"NRRD", "a file that starts with NRRD000, of three dimensions", openNrrd, true},
+        Format{"raw volume", "NAME_WxHxD_TYPE.raw, or FILE:WxHxD:TYPE", openRaw, true},
         Format{"ExaBrick parts", ".scalars and .tris, through the file that names them", openExaPart},
     };
     return all;
@@ -49,14 +58,19 @@ std::span<const Format> formats()
 std::unique_ptr<DataSet> openDataSet(const std::string& data)
 {
     const bool sample = data.starts_with("sample:");
+    const DataName name = splitDataName(data);
     if (!sample)
-        checkExists(data);
+        checkExists(name.file);
     std::string known;
     for (const Format& format : formats()) {
-        if (auto set = format.open(data))
-            return set;
+        if (name.options.empty() || format.takesOptions)
+            if (auto set = format.open(data))
+                return set;
         known += fmt::format("{}{} ({})", known.empty() ? "" : "; ", format.name, format.looksLike);
     }
+    if (!name.options.empty())
+        throw Error(data,
+                    "expected a file of a format that takes options after a colon (raw volume, NRRD, OpenVDB, VTKHDF)");
     throw Error(data, fmt::format("is of no format that can be read; expected one of: {}", known));
 }
 

@@ -44,13 +44,14 @@ struct Format
     std::string name;
     std::string looksLike; ///< for the message that lists what can be read
     OpenFunction open;
+    bool takesOptions = false; ///< what follows the file's name after a colon (DataName.h)
 };
 
 /// All formats, in the order in which they are asked.
 std::span<const Format> formats();
 
-/// `data` is a file, a folder, or `sample:NAME[:SIZE]`. Throws Error if it does not exist, is empty, or belongs to no
-/// format.
+/// `data` is a file, a folder, a file with options (DataName.h), or `sample:NAME[:SIZE]`. Throws Error if it does not
+/// exist, is empty, or belongs to no format.
 std::unique_ptr<DataSet> openDataSet(const std::string& data);
 
 } // namespace brickwall

@@ -67,6 +67,12 @@ Box3i side(const Box3i& box, int axis, int plane, bool upper)
     return half;
 }
 
+/// Of a box within coordinateLimit, which may have more voxels than 64 bits count.
+double voxelsIn(const Box3i& b)
+{
+    return b.empty() ? 0.0 : double(b.extent().x) * b.extent().y * b.extent().z;
+}
+
 /// Cuts slabs without holes off the box, the largest first, until it is the bounds of its holes.
 void peel(Box3i& box, const Box3i& bounds, std::vector<Box3i>& out)
 {
@@ -77,7 +83,7 @@ void peel(Box3i& box, const Box3i& bounds, std::vector<Box3i>& out)
             for (const bool upper : {false, true}) {
                 const int plane = (upper ? bounds.upper : bounds.lower)[axis];
                 const Box3i slab = side(box, axis, plane, upper);
-                if (volume(slab) > volume(largest)) {
+                if (voxelsIn(slab) > voxelsIn(largest)) {
                     largest = slab;
                     rest = side(box, axis, plane, !upper);
                 }
@@ -122,7 +128,7 @@ bool aligned(const Box3i& b, int width)
     return low == vec3i(0) && high == vec3i(0);
 }
 
-void checkLevel(const OverlappingLevel& level, const OverlappingLevel* coarser)
+void checkBoxes(const OverlappingLevel& level)
 {
     for (std::size_t i = 0; i < level.boxes.size(); ++i) {
         const Box3i& b = level.boxes[i];
@@ -136,30 +142,66 @@ void checkLevel(const OverlappingLevel& level, const OverlappingLevel* coarser)
             fail(fmt::format("lies outside the coordinates that can be shown, +-{}", coordinateLimit));
         if (!aligned(b, 1 << level.level))
             fail(fmt::format("is not aligned to its own cells, which are {} wide", 1 << level.level));
-        if (coarser && !aligned(b, 1 << coarser->level))
-            fail(fmt::format("is misaligned: expected whole cells of the next coarser level, which are {} wide",
-                             1 << coarser->level));
     }
+}
+
+void checkDisjoint(const OverlappingLevel& level)
+{
     if (const auto pair = findOverlap(level.boxes))
         throw Error(level.place,
                     fmt::format("boxes {} and {} of one level overlap: {} and {} in finest cells", pair->first,
                                 pair->second, text(level.boxes[pair->first]), text(level.boxes[pair->second])));
 }
 
-/// What of the finer levels sticks out of `level`: it has to be cut out of the next coarser one as well.
-std::vector<Box3i> uncovered(const std::vector<Box3i>& finer, const OverlappingLevel& level,
-                             const OverlappingLevel& coarser, const Executor& executor, const Progress& progress)
+Box3i outward(const Box3i& b, int width)
 {
-    std::vector<Box3i> out;
-    for (const LeafBox& piece : subtractBoxes(finer, level.boxes, executor, progress)) {
-        if (!aligned(piece.box, 1 << coarser.level))
-            throw Error(level.place,
-                        fmt::format("a finer level reaches beyond this one in {}, in finest cells, which is no "
-                                    "whole number of cells of the next coarser level",
-                                    text(piece.box)));
-        out.push_back(piece.box);
+    return {b.lower & -width, (b.upper + (width - 1)) & -width};
+}
+
+[[noreturn]] void failMisaligned(const OverlappingLevel& level, std::size_t box, const Box3i& b, int width)
+{
+    if (box < level.boxes.size())
+        throw Error(level.place, fmt::format("box {}, {} in finest cells, is misaligned: expected whole cells of the "
+                                             "next coarser level, which are {} wide",
+                                             box, text(b), width));
+    throw Error(level.place, fmt::format("a finer level reaches beyond this one in {}, in finest cells, which is no "
+                                         "whole number of cells of the next coarser level",
+                                         text(b)));
+}
+
+/// What has to be cut out of the next coarser level: the boxes of `level`, and what of the finer levels sticks out of
+/// these. Each for itself need not be whole cells of the coarser level, as long as they are together (VTK's blocks).
+std::vector<Box3i> holesBelow(const OverlappingLevel& level, const std::vector<Box3i>& finer,
+                              const OverlappingLevel& coarser, const Executor& executor, const Progress& progress)
+{
+    const int width = 1 << coarser.level;
+    std::vector<Box3i> holes = level.boxes;
+    for (const LeafBox& piece : subtractBoxes(finer, level.boxes, executor, progress))
+        holes.push_back(piece.box);
+    std::vector<Box3i> grown;
+    std::vector<std::size_t> source;
+    for (std::size_t i = 0; i < holes.size(); ++i)
+        if (!aligned(holes[i], width)) {
+            grown.push_back(outward(holes[i], width));
+            source.push_back(i);
+        }
+    const auto missing = subtractBoxes(grown, holes, executor, progress);
+    if (!missing.empty()) {
+        const std::size_t first = source[missing[0].source];
+        failMisaligned(level, first, holes[first], width);
     }
-    return out;
+    for (std::size_t i = 0; i < grown.size(); ++i)
+        holes[source[i]] = grown[i];
+    return holes;
+}
+
+/// Whether no box covers another one, of whatever level: then all are leaves.
+bool areDisjoint(std::span<const OverlappingLevel> levels)
+{
+    std::vector<Box3i> all;
+    for (const OverlappingLevel& level : levels)
+        all.insert(all.end(), level.boxes.begin(), level.boxes.end());
+    return !findOverlap(all);
 }
 
 } // namespace
@@ -198,6 +240,9 @@ std::optional<std::pair<std::size_t, std::size_t>> findOverlap(std::span<const B
 std::vector<LeafBox> leafBoxes(std::span<const OverlappingLevel> levels, const Executor& executor,
                                const Progress& progress)
 {
+    for (const OverlappingLevel& level : levels)
+        checkBoxes(level);
+    const bool disjoint = areDisjoint(levels);
     std::vector<std::vector<LeafBox>> perLevel(levels.size());
     std::vector<Box3i> finer; // all that is finer than the level at hand, and not covered by the one between
     for (std::size_t k = levels.size(); k-- > 0;) {
@@ -206,14 +251,12 @@ std::vector<LeafBox> leafBoxes(std::span<const OverlappingLevel> levels, const E
         if (coarser && coarser->level <= level.level)
             throw Error(level.place,
                         fmt::format("expected a level finer than {}, found {}", coarser->level, level.level));
-        checkLevel(level, coarser);
         perLevel[k] = subtractBoxes(level.boxes, finer, executor, progress);
         for (LeafBox& leaf : perLevel[k])
             leaf.levelIndex = static_cast<std::uint32_t>(k);
-        if (coarser) {
-            finer = uncovered(finer, level, *coarser, executor, progress);
-            finer.insert(finer.end(), level.boxes.begin(), level.boxes.end());
-        }
+        if (coarser && !disjoint)
+            finer = holesBelow(level, finer, *coarser, executor, progress);
+        checkDisjoint(level);
     }
     std::vector<LeafBox> out;
     for (const auto& leaves : perLevel)

@@ -49,7 +49,8 @@ struct OverlappingLevel
 /// box need not lie inside boxes of the next coarser level.
 ///
 /// Throws Error, naming the level's place and the box's index, for boxes that are empty, outside coordinateLimit, not
-/// aligned to their own cells or to those of the next coarser level, or that overlap within a level.
+/// aligned to their own cells, that overlap within a level, or, where boxes of several levels overlap at all, that
+/// together cover cells of the next coarser level in part.
 std::vector<LeafBox> leafBoxes(std::span<const OverlappingLevel> levels, const Executor& executor,
                                const Progress& progress);
 

@@ -143,6 +143,26 @@ TEST(LeafBoxes, RefuseMisalignedBoxes)
     EXPECT_TRUE(says(leafError({level(1, {{{0, 0, 0}, {8, 8, 7}}})}), {"Level_1/Cell_H", "box 0", "not aligned"}));
 }
 
+TEST(LeafBoxes, ThatCoverNoOthersNeedNoAlignmentToThem)
+{
+    const std::vector<OverlappingLevel> levels{level(2, {{{0, 0, 0}, {8, 8, 8}}}), level(0, {{{8, 1, 3}, {9, 2, 8}}})};
+    const std::vector<LeafBox> leaves = leafBoxes(levels, Executor(1), Progress());
+    ASSERT_EQ(leaves.size(), 2u);
+    EXPECT_EQ(leaves[0], (LeafBox{levels[0].boxes[0], 0, 0}));
+    EXPECT_EQ(leaves[1], (LeafBox{levels[1].boxes[0], 1, 0}));
+}
+
+TEST(LeafBoxes, MayBeWholeCoarserCellsTogether)
+{
+    // Two boxes, three and five cells wide, that fill the left half of a coarse one.
+    const std::vector<OverlappingLevel> levels{level(1, {{{0, 0, 0}, {16, 8, 8}}}),
+                                               level(0, {{{0, 0, 0}, {3, 8, 8}}, {{3, 0, 0}, {8, 8, 8}}})};
+    const std::vector<LeafBox> leaves = leafBoxes(levels, Executor(1), Progress());
+    ASSERT_EQ(leaves.size(), 3u);
+    EXPECT_EQ(leaves[0], (LeafBox{{{8, 0, 0}, {16, 8, 8}}, 0, 0}));
+    EXPECT_EQ(leaves[2], (LeafBox{levels[1].boxes[1], 1, 1}));
+}
+
 TEST(LeafBoxes, RefuseOverlapsWithinALevel)
 {
     const Box3i a{{0, 0, 0}, {8, 8, 8}}, b{{8, 0, 0}, {9, 8, 8}}, c{{6, 7, 7}, {7, 8, 9}};

@@ -69,8 +69,8 @@ std::vector<vec3d> pointsAround(const Model& model, std::size_t count, std::uint
 /// How far the product is from its twin.
 struct Deviation
 {
-    double value = 0.0;       ///< largest, as a share of the field's range
-    double gradient = 0.0;    ///< largest away from kinks, in ranges per finest cell width
+    double value = 0.0;       ///< largest, as a share of the field's range; at the rim times D / 0.05
+    double gradient = 0.0;    ///< largest away from kinks, in ranges per finest cell width; the same
     std::size_t validity = 0; ///< points where the two disagree on whether there is data
     std::size_t compared = 0;
     vec3d worst{0.0};
@@ -99,13 +99,16 @@ Deviation deviation(const Model& model, std::size_t count, std::uint64_t seed)
         if (!twin.valid)
             continue;
         ++d.compared;
-        const double value = std::abs(samples[i].value - twin.value) / range;
+        // Towards the rim of the data D runs to 0, and the rounding of a position counts one over it as much.
+        const double certain = std::min(1.0, twin.weight / 0.05);
+        const double value = std::abs(samples[i].value - twin.value) / range * certain;
         if (value > d.value) {
             d.value = value;
             d.worst = points[i];
         }
         if (twin.kinkDistance > 1e-3 && twin.weight > 1e-2)
-            d.gradient = std::max(d.gradient, glm::length(vec3d(samples[i].gradient) - twin.gradient) / range * finest);
+            d.gradient = std::max(d.gradient, glm::length(vec3d(samples[i].gradient) - twin.gradient) / range * finest *
+                                                  certain);
     }
     return d;
 }

@@ -1,0 +1,60 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#include "brickwall/core/base/Error.h"
+#include "brickwall/core/io/FieldNames.h"
+#include "brickwall/core/io/Formats.h"
+#include "brickwall/core/io/VtkLevels.h"
+#include "brickwall/core/io/VtkPiece.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace brickwall {
+namespace {
+
+class VtkAmr : public DataSet
+{
+public:
+    explicit VtkAmr(VtkLevels levels) : levels_(std::move(levels)) {}
+
+    std::string format() const override { return "VTK overlapping AMR"; }
+    std::vector<std::string> fieldNames() const override { return namesOf(levels_.fields); }
+    std::string defaultField() const override { return usualField(fieldNames()); }
+
+    Model load(std::span<const std::string> fields, const Executor& executor, Progress& progress,
+               NonFinite nonFinite) const override
+    {
+        const auto wanted = fieldIndices(fieldNames(), fields, levels_.place);
+        LeafPlan plan = planLeaves(levels_.boxes, levels_.place, executor, progress);
+        std::vector<Field> read;
+        for (const std::size_t i : wanted) {
+            const ArrayField& field = levels_.fields[i];
+            const auto open = [&](const LeafJob& job) {
+                return openVtkPiece(levels_.files[job.levelIndex][job.box],
+                                    levels_.boxes[job.levelIndex].boxes[job.box], field);
+            };
+            read.push_back(readLeafField(plan, field.name, open, nonFinite, executor, progress));
+        }
+        return leafModel(std::move(plan), std::move(read), levels_.worldFromVoxel, levels_.place, nonFinite, executor,
+                         progress);
+    }
+
+private:
+    VtkLevels levels_;
+};
+
+} // namespace
+
+std::unique_ptr<DataSet> openVtkAmr(const std::string& data)
+{
+    const std::string type = vtkXmlType(data);
+    if (type.empty())
+        return nullptr;
+    if (type != "vtkHierarchicalBoxDataSet" && type != "vtkOverlappingAMR")
+        throw Error(data, fmt::format("expected a VTK file of type vtkOverlappingAMR or vtkHierarchicalBoxDataSet, "
+                                      "found '{}'{}",
+                                      type, type == "ImageData" ? "; open the .vth or .vthb file that names it" : ""));
+    return std::make_unique<VtkAmr>(readVtkLevels(data));
+}
+
+} // namespace brickwall
