@@ -1,4 +1,5 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#include "brickwall/tests/common/EditFile.h"
 #include "brickwall/tests/io/IoTest.h"
 #include "brickwall/tests/oracles/WriteExa.h"
 #include "brickwall/tests/oracles/WriteVtk.h"
@@ -81,11 +82,7 @@ protected:
 
     void edit(const std::string& file, const std::string& from, const std::string& to)
     {
-        std::ifstream in(folder_ + "/" + file, std::ios::binary);
-        std::string text((std::istreambuf_iterator<char>(in)), {});
-        const auto at = text.find(from);
-        ASSERT_NE(at, std::string::npos) << file << " has no " << from;
-        std::ofstream(folder_ + "/" + file, std::ios::binary) << text.replace(at, from.size(), to);
+        editFile(folder_ + "/" + file, from, to);
     }
     std::string errorAfter(const std::string& file, const std::string& from, const std::string& to)
     {
