@@ -104,12 +104,13 @@ Range rangeOfCells(const PaddedBrick& brick, const float* values, const vec3i& l
     return range;
 }
 
-/// The largest difference of neighbours along each axis, as the length of a vector.
-float largestDifference(const PaddedBrick& brick, const float* values, const vec3i& lower, const vec3i& upper)
+/// Calls visit(axis, row, stride, count) for every row of cells that have a neighbour `stride` further, along all axes.
+template <class Visit>
+void forNeighbours(const PaddedBrick& brick, const float* values, const vec3i& lower, const vec3i& upper,
+                   const Visit& visit)
 {
     const vec3i n = brick.paddedSize();
     const std::size_t stride[3] = {1, std::size_t(n.x), std::size_t(n.x) * n.y};
-    vec3f largest(0.0f);
     for (int axis = 0; axis < 3; ++axis) {
         vec3i end = upper;
         --end[axis];
@@ -117,19 +118,42 @@ float largestDifference(const PaddedBrick& brick, const float* values, const vec
             for (int y = lower.y; y < end.y; ++y) {
                 const float* row =
                     values + brick.begin + (lower.x + 1) + (std::size_t(y + 1) * n.x + std::size_t(z + 1) * stride[2]);
-                float most = 0.0f;
-                for (int x = 0; x < end.x - lower.x; ++x)
-                    most = std::max(most, std::abs(row[x + stride[axis]] - row[x]));
-                largest[axis] = std::max(largest[axis], most);
+                visit(axis, row, stride[axis], end.x - lower.x);
             }
     }
+}
+
+/// The largest difference of neighbours along each axis, as the length of a vector.
+float largestDifference(const PaddedBrick& brick, const float* values, const vec3i& lower, const vec3i& upper)
+{
+    vec3f largest(0.0f);
+    forNeighbours(brick, values, lower, upper, [&](int axis, const float* row, std::size_t stride, int count) {
+        float most = 0.0f;
+        for (int x = 0; x < count; ++x)
+            most = std::max(most, std::abs(row[x + stride] - row[x]));
+        largest[axis] = std::max(largest[axis], most);
+    });
     return static_cast<float>(glm::length(vec3d(largest))); // squares of floats may vanish
+}
+
+/// The same of positive values, as a share of the smaller one of two neighbours: ln B cannot change faster.
+float largestShare(const PaddedBrick& brick, const float* values, const vec3i& lower, const vec3i& upper)
+{
+    vec3f largest(0.0f);
+    forNeighbours(brick, values, lower, upper, [&](int axis, const float* row, std::size_t stride, int count) {
+        float most = 0.0f;
+        for (int x = 0; x < count; ++x)
+            most = std::max(most, std::abs(row[x + stride] - row[x]) / std::min(row[x + stride], row[x]));
+        largest[axis] = std::max(largest[axis], most);
+    });
+    return static_cast<float>(glm::length(vec3d(largest)));
 }
 
 struct RegionValues
 {
     Range range;
     float slope = 0.0f;
+    float logSlope = 0.0f;
 };
 
 /// Of the cells whose tents reach the region: the padded cells of a single brick's stencils, or the listed bricks' own
@@ -146,11 +170,19 @@ RegionValues valuesOfRegion(const Region& region, const RegionTree& tree, const 
         const vec3i lower = glm::max(reaching.lower - first, vec3i(-pad));
         const vec3i upper = glm::min(reaching.upper - first, brick.size + pad);
         range.extend(rangeOfCells(brick, values, lower, upper));
-        if (region.brickCount == 1)
-            result.slope = largestDifference(brick, values, lower, upper) / static_cast<float>(brick.cellWidth());
+        if (region.brickCount == 1) {
+            const float width = static_cast<float>(brick.cellWidth());
+            result.slope = largestDifference(brick, values, lower, upper) / width;
+            if (range.lo > 0.0f)
+                result.logSlope = largestShare(brick, values, lower, upper) / width;
+        }
     }
-    if (region.brickCount > 1) // the weights change by up to their own size per cell along each axis
-        result.slope = 4.0f * range.span() / static_cast<float>(1 << region.finestLevel);
+    if (region.brickCount > 1) { // the weights change by up to their own size per cell along each axis
+        const float perWidth = 4.0f / static_cast<float>(1 << region.finestLevel);
+        result.slope = perWidth * range.span();
+        if (range.lo > 0.0f)
+            result.logSlope = perWidth * std::log(range.hi / range.lo);
+    }
     return result;
 }
 
@@ -182,6 +214,7 @@ PaddedField padField(const Field& field, std::span<const Brick> bricks, const Re
 
     padded.regionRanges.resize(tree.regions.size());
     padded.regionSlopes.resize(tree.regions.size());
+    padded.regionLogSlopes.resize(tree.regions.size());
     progress.begin("finding value ranges", tree.regions.size());
     executor.forEach(tree.regions.size(), 64, [&](std::size_t begin, std::size_t end) {
         for (std::size_t r = begin; r < end; ++r) {
@@ -190,6 +223,7 @@ PaddedField padField(const Field& field, std::span<const Brick> bricks, const Re
             const RegionValues found = valuesOfRegion(tree.regions[r], tree, padded.values.data());
             padded.regionRanges[r] = found.range;
             padded.regionSlopes[r] = found.slope;
+            padded.regionLogSlopes[r] = found.logSlope;
         }
         progress.advance(end - begin);
     });

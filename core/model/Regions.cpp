@@ -12,7 +12,7 @@ std::size_t RegionTree::bytes() const
 std::size_t PaddedField::bytes() const
 {
     return sizeof(*this) + values.size() * sizeof(float) + regionRanges.size() * sizeof(Range) +
-           regionSlopes.size() * sizeof(float);
+           (regionSlopes.size() + regionLogSlopes.size()) * sizeof(float);
 }
 
 std::int64_t findRegion(const RegionTree& tree, const vec3d& p)

@@ -48,8 +48,8 @@ struct TransferIntegral
     float bucketsPerUnit = 0.0f; ///< linear: bucket = int((v - range.lo) * bucketsPerUnit)
     int bucketShift = 0;         ///< logarithmic: bucket = (bits(v) - bits(range.lo)) >> bucketShift
 
-    /// The density in a bucket as a line, where that meets the segments within 1e-4 of sigma(v) plus 1e-6 of the largest
-    /// extinction; NaN where it does not, as at steps and spikes.
+    /// The density in a bucket as a line, where that meets the segments within 1e-4 of sigma(v) plus 1e-6 of the
+    /// largest extinction; NaN where it does not, as at steps and spikes.
     struct alignas(32) Bucket
     {
         vec4f density; ///< at the lower end
@@ -59,7 +59,8 @@ struct TransferIntegral
 
     /// Sparse tables: [k][i] = max over segments i .. i + 2^k - 1.
     std::vector<std::vector<float>> maxExtinction;
-    std::vector<std::vector<float>> maxVariation; ///< infinite where a segment begins with a step
+    std::vector<std::vector<float>> maxVariation;    ///< infinite where a segment begins with a step
+    std::vector<std::vector<float>> maxLogVariation; ///< the same per ln v; only if the scale is logarithmic
 
     int bucketCount() const { return int(firstSegments.size()) - 1; }
     /// Of a value inside the range.
@@ -73,6 +74,8 @@ struct TransferIntegral
     /// How fast what is seen changes with the value, at most, over the segments that the values of `r` touch: the
     /// largest of |d(c sigma)/dv|, |d((1 - c) sigma)/dv| and |d sigma/dv|; infinite if there is a step inside. O(1).
     float largestVariation(const Range& r) const;
+    /// The same per ln v; infinite, too, if the scale is not logarithmic.
+    float largestLogVariation(const Range& r) const;
 };
 
 /// Checks `tf`, then integrates it, in double.

@@ -58,11 +58,14 @@ float variationOf(const TransferIntegral::Segment& segment)
 
 void tabulateMaxima(TransferIntegral& f, const std::vector<bool>& steps)
 {
-    std::vector<float> extinction, variation;
+    std::vector<float> extinction, variation, logVariation;
     for (int i = 0; i < int(f.segments.size()); ++i) {
         extinction.push_back(roundedUp(std::max(f.segments[i].density.w, extinctionIn(f, i, f.knots[i + 1]))));
         variation.push_back(steps[i] ? std::numeric_limits<float>::infinity() : variationOf(f.segments[i]));
+        logVariation.push_back(variation.back() * f.knots[i + 1]); // the density is linear in v
     }
+    if (f.scale == Scale::logarithmic)
+        f.maxLogVariation = maximaOf(std::move(logVariation));
     f.maxExtinction = maximaOf(std::move(extinction));
     f.maxVariation = maximaOf(std::move(variation));
 }
@@ -136,6 +139,22 @@ void tabulateBucketLines(TransferIntegral& f)
         f.buckets.push_back(bucketLine(f, b));
 }
 
+/// The largest variation(segment, its upper knot) of the segments that the values of `r` touch, which `maxima` has but
+/// for steps at a segment's lower end.
+template <class Variation>
+float variationOver(const TransferIntegral& f, const Range& r, const std::vector<std::vector<float>>& maxima,
+                    const Variation& variation)
+{
+    const float lo = std::max(r.lo, f.range.lo), hi = std::min(r.hi, f.range.hi);
+    if (!(lo <= hi))
+        return 0.0f;
+    if ((f.opensWithStep && r.lo < f.range.lo) || (f.closesWithStep && r.hi > f.range.hi))
+        return std::numeric_limits<float>::infinity();
+    const int a = f.segmentOf(lo), b = f.segmentOf(hi);
+    // All values are above the first segment's lower end: no matter whether there is a step.
+    return std::max(variation(f.segments[a], f.knots[a + 1]), maximumOver(maxima, a + 1, b + 1));
+}
+
 } // namespace
 
 void tabulateQueries(TransferIntegral& integral, const std::vector<bool>& steps)
@@ -174,14 +193,14 @@ float TransferIntegral::largestExtinction(const Range& r) const
 
 float TransferIntegral::largestVariation(const Range& r) const
 {
-    const float lo = std::max(r.lo, range.lo), hi = std::min(r.hi, range.hi);
-    if (!(lo <= hi))
-        return 0.0f;
-    if ((opensWithStep && r.lo < range.lo) || (closesWithStep && r.hi > range.hi))
+    return variationOver(*this, r, maxVariation, [](const Segment& s, float) { return variationOf(s); });
+}
+
+float TransferIntegral::largestLogVariation(const Range& r) const
+{
+    if (scale != Scale::logarithmic)
         return std::numeric_limits<float>::infinity();
-    const int a = segmentOf(lo), b = segmentOf(hi);
-    // All values are above the first segment's lower end: no matter whether there is a step.
-    return std::max(variationOf(segments[a]), maximumOver(maxVariation, a + 1, b + 1));
+    return variationOver(*this, r, maxLogVariation, [](const Segment& s, float end) { return variationOf(s) * end; });
 }
 
 } // namespace brickwall

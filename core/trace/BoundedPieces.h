@@ -62,12 +62,14 @@ private:
             piece_.loadGradient();
         FloatN s = 0.0f, h = 1.0f;
         PlaceN a = startOf(todo);
+        if constexpr (shaded)
+            chargeJump(todo, t0, a);
         const FloatN perLength = rays_.budget.perLength(t0);
         const MaskN all = todo;
         MaskN split = firstLanes(0);
         while (any(todo)) {
             const PlaceN b = placeAt(s + h, todo);
-            const ExtentN extent{piece_.enclosure(s, s + h), bounds_.variation, h, h * length};
+            const ExtentN extent{piece_.enclosure(s, s + h), bounds_.extinction, bounds_.variation, h, h * length};
             const FloatN t = fma(s, length, t0), most = mostError(extent);
             const PartN whole = wholePart<shaded>(rays_.lookup, a, b, extent);
             MaskN good = todo & fits(whole, extent, perLength);
@@ -137,11 +139,22 @@ private:
         return place;
     }
 
+    /// At a plane through cell centres the gradient jumps, and the light with it: rounding decides where that is.
+    HWY_INLINE void chargeJump(MaskN lanes, FloatN t, const PlaceN& start)
+    {
+        const FloatN jump = abs(abs(start.shade) - rays_.lastLight), density = start.look.density().d;
+        const FloatN error = min(density * piece_.roundingAt(t), 1.0f) * jump;
+        rays_.rounding += valueOrZero(lanes & (rays_.lastAt == t) & (rays_.lastStep == FloatN(0.0f)),
+                                      rays_.radiance.transmittance * error);
+    }
+
     /// Keeps the end of a piece for the next one, and for steps.
     HWY_INLINE void carry(MaskN lanes, const PlaceN& end)
     {
         const QuadN density = end.look.density();
         const FloatN shade = abs(end.shade);
+        if constexpr (shaded)
+            rays_.lastLight = select(lanes, shade, rays_.lastLight);
         rays_.last =
             select(lanes, QuadN{density.a * shade, density.b * shade, density.c * shade, density.d}, rays_.last);
         copyWhere(lanes, end, last_);

@@ -29,10 +29,11 @@ struct BoundedRays
     FloatN rounding; ///< errors that no refinement would take away: no part of the budget
 
     // What was found last, for the steps that are taken next.
-    FloatN step;     ///< suggested
-    FloatN lastAt;   ///< t where that was
-    FloatN lastStep; ///< taken; 0 after a piece
-    QuadN last;      ///< c sigma, sigma there; c with the light
+    FloatN step;      ///< suggested
+    FloatN lastAt;    ///< t where that was
+    FloatN lastStep;  ///< taken; 0 after a piece
+    QuadN last;       ///< c sigma, sigma there; c with the light
+    FloatN lastLight; ///< at the end of the last piece
 
     BoundedRays(const TraceScene& traceScene, const BoundedParameters& parameters, const RayN& rays, FloatN end,
                 FloatN worldStretch, FloatN error)
@@ -47,7 +48,8 @@ struct BoundedRays
           step(0.5f),
           lastAt(-1.0f),
           lastStep(0.0f),
-          last{0.0f, 0.0f, 0.0f, 0.0f}
+          last{0.0f, 0.0f, 0.0f, 0.0f},
+          lastLight(0.0f)
     {
     }
 

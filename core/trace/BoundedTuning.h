@@ -65,6 +65,8 @@ inline constexpr float opacityRounding = 1e-5f;
 inline constexpr float valueRounding = 2e-7f;
 /// and what enclosures of restricted cubics, after more operations, may be wider than B by.
 inline constexpr float enclosureRounding = 1e-6f;
+/// Of a position in cells: what rounding may put it off by.
+inline constexpr float planeNoise = 1.2e-7f;
 /// Of t, and of a cell: closer than this, rounding says which of two planes comes first.
 inline constexpr float planeRounding = 4e-7f;
 inline constexpr float planeRoundingInCells = 1e-6f;

@@ -29,6 +29,7 @@ public:
 
     static constexpr int fetches() { return 1; }
     HWY_INLINE FloatN end(FloatN t, FloatN least) const { return planes_.next(t, least); }
+    HWY_INLINE FloatN roundingAt(FloatN t) const { return planes_.roundingAt(t); }
 
     /// Fetches the cells around [t0, t1].
     HWY_INLINE void load(FloatN t0, FloatN t1)

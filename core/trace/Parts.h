@@ -33,6 +33,7 @@ struct PlaceN
 struct ExtentN
 {
     EnclosureN enclosure; ///< of B: Bernstein coefficients, which no polynomial leaves
+    float extinction;     ///< of the region, the largest (RegionBounds), per voxel
     float variation;      ///< of the transfer function (RegionBounds), per value and voxel
     FloatN h;             ///< of its piece
     FloatN length;        ///< in voxels
@@ -120,13 +121,15 @@ HWY_INLINE MaskN mayTurnTwice(const PlaceN& a, const PlaceN& b, FloatN h)
     return (a.slope * b.slope > FloatN(0.0f)) & (middle * a.slope < FloatN(0.0f)) & (abs(middle) > noise);
 }
 
-/// Where B hardly changes, rounding of its values decides how long a ray stays in a thin shell.
-HWY_INLINE FloatN roundingOf(const PlaceN& a, const PlaceN& b, const QuadN& mean, FloatN length)
+/// Where B hardly changes, rounding of its values decides how long a ray stays in a thin shell; and that of the values
+/// where a shell begins and ends, how thick it is.
+HWY_INLINE FloatN roundingOf(const PlaceN& a, const PlaceN& b, const QuadN& mean, const ExtentN& extent, FloatN length)
 {
     const FloatN noise = FloatN(tuning::valueRounding) * max(abs(a.value), abs(b.value)), rise = abs(b.value - a.value);
     const MaskN lost = noise >= rise;
     const FloatN share = select(lost, 1.0f, noise / select(lost, 1.0f, rise));
-    return share * peakOf(a, b, mean) * length;
+    const FloatN between = min(rise * FloatN(0.5f * extent.variation), extent.extinction);
+    return share * max(peakOf(a, b, mean), valueOrZero(!(a.look.segment == b.look.segment), between)) * length;
 }
 
 /// Whether the values of a part are the same but for rounding, and so more parts would not say more of them.
@@ -151,7 +154,7 @@ HWY_INLINE PartN wholePart(const TransferIntegralLookup& lookup, const PlaceN& a
         turn += valueOrZero(mayTurnTwice(a, b, extent.h), FloatN(tuning::unseenDip));
         error = fma(segment.opacity, turn, error);
     }
-    return {segment, error, roundingOf(a, b, mean, extent.length)};
+    return {segment, error, roundingOf(a, b, mean, extent, extent.length)};
 }
 
 /// The same part by two halves of that kind, with m in the middle. What they change against the whole says how good
@@ -180,7 +183,7 @@ HWY_INLINE PartN halvedPart(const TransferIntegralLookup& lookup, const PlaceN& 
         const FloatN dip = valueOrZero(dips, FloatN(tuning::unseenDip));
         error = fma(segment.opacity, fma(FloatN(tuning::turnShare), turn * turn, dip), error);
     }
-    return {segment, error, max(roundingOf(a, m, first, half), roundingOf(m, b, second, half))};
+    return {segment, error, max(roundingOf(a, m, first, extent, half), roundingOf(m, b, second, extent, half))};
 }
 
 } // namespace brickwall::HWY_NAMESPACE

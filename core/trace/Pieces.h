@@ -9,6 +9,7 @@
 #define BRICKWALL_CORE_TRACE_PIECES_H
 #endif
 
+#include "brickwall/core/trace/BoundedTuning.h"
 #include "brickwall/core/trace/Reconstruct.h"
 #include "brickwall/core/trace/RegionWalk.h"
 
@@ -49,6 +50,20 @@ public:
             end = min(end, select(at > t + least, at, after));
         }
         return max(end, t + least);
+    }
+
+    /// How far from t rounding may put the planes that are there, 0 where none is. Much for one that the ray meets at a
+    /// small angle.
+    HWY_INLINE FloatN roundingAt(FloatN t) const
+    {
+        FloatN most = 0.0f;
+        for (int axis = 0; axis < 3; ++axis) {
+            const FloatN along = t * perT_[axis], u = along + u_[axis];
+            const FloatN noise = FloatN(tuning::planeNoise) * (abs(along) + abs(u_[axis]));
+            const MaskN there = abs(u - floor(u + FloatN(0.5f))) <= noise;
+            most = max(most, valueOrZero(there, noise * abs(tPer_[axis])));
+        }
+        return most;
     }
 
 private:

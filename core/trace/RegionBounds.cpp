@@ -1,6 +1,8 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "brickwall/core/trace/RegionBounds.h"
 
+#include <algorithm>
+
 namespace brickwall {
 
 std::vector<RegionBounds> regionBounds(const PaddedField& field, const TransferIntegral& integral,
@@ -14,8 +16,13 @@ std::vector<RegionBounds> regionBounds(const PaddedField& field, const TransferI
             if (!(bounds[i].extinction > 0.0f))
                 continue;
             bounds[i].variation = integral.largestVariation(range);
-            if (field.regionSlopes[i] > 0.0f) // a step times nothing is nothing
-                bounds[i].variationAlong = bounds[i].variation * field.regionSlopes[i];
+            if (!(field.regionSlopes[i] > 0.0f)) // a step times nothing is nothing
+                continue;
+            bounds[i].variationAlong = bounds[i].variation * field.regionSlopes[i];
+            // Over several decades the largest slope and the steepest values of the function are seldom the same ones.
+            if (field.regionLogSlopes[i] > 0.0f)
+                bounds[i].variationAlong =
+                    std::min(bounds[i].variationAlong, integral.largestLogVariation(range) * field.regionLogSlopes[i]);
         }
     });
     return bounds;

@@ -39,6 +39,14 @@ public:
         return end;
     }
 
+    HWY_INLINE FloatN roundingAt(FloatN t) const
+    {
+        FloatN most = planes_[0].roundingAt(t);
+        for (int i = 1; i < levelCount_; ++i)
+            most = max(most, planes_[i].roundingAt(t));
+        return most;
+    }
+
     HWY_INLINE void load(FloatN t0, FloatN t1)
     {
         for (int i = 0; i < 4; ++i)

@@ -206,6 +206,28 @@ TEST_P(RegionsOf, HaveTheRangesOfExactlyTheCellsThatReachThem)
     }
 }
 
+TEST_P(RegionsOf, OneBrickHaveSlopesThatBoundTheFieldAndItsLogarithm)
+{
+    Field decades = field;
+    for (float& v : decades.values)
+        v = std::exp(3.0f * v);
+    const PaddedField values = padField(decades, bricks, tree, serial, silent);
+    Points points(tree, 14);
+    for (int i = 0; i < 2000; ++i) {
+        const vec3d p = points.next();
+        const std::int64_t found = findRegion(tree, p);
+        if (found < 0 || tree.regions[std::size_t(found)].brickCount > 1)
+            continue;
+        const Region& r = tree.regions[std::size_t(found)];
+        const vec3d q = glm::clamp(p + vec3d(0.02, -0.01, 0.015) * double(i % 7 - 3), vec3d(r.lower), vec3d(r.upper));
+        const PaddedBrick& brick = tree.bricks[listOf(tree, r)[0]];
+        const double a = trilinear(p, brick, values.values), b = trilinear(q, brick, values.values);
+        const double voxels = 0.5 * glm::length(q - p);
+        ASSERT_LE(std::abs(b - a), values.regionSlopes[std::size_t(found)] * voxels * 1.0001 + 1e-9);
+        ASSERT_LE(std::abs(std::log(b / a)), values.regionLogSlopes[std::size_t(found)] * voxels * 1.0001 + 1e-9);
+    }
+}
+
 TEST_P(RegionsOf, AreTheSameOnOneCoreAndOnMany)
 {
     const Executor many(4);

@@ -284,6 +284,7 @@ TEST(TransferIntegral, BoundsHoldOverAnyRange)
                       b = std::min(a + (trial % 2 ? few(random) : any(random)), int(values.size()) - 1);
             const Range r{values[a], values[b]};
             const double bound = f.largestExtinction(r), variation = f.largestVariation(r);
+            const double logVariation = f.largestLogVariation(r);
             double largest = 0.0;
             for (int i = a; i <= b; ++i) {
                 largest = std::max(largest, densityAt(f, values[i]).w);
@@ -292,9 +293,12 @@ TEST(TransferIntegral, BoundsHoldOverAnyRange)
                     continue;
                 const vec4d d = densityAt(f, values[i]) - densityAt(f, values[i - 1]);
                 const double noise = 4e-7 * bound;
+                const double ratio = f.scale == Scale::logarithmic ? std::log(double(values[i]) / values[i - 1]) : 1.0;
                 for (int c = 0; c < 3; ++c) {
                     ASSERT_LE(std::abs(d[c]), variation * dv + noise) << name;
                     ASSERT_LE(std::abs(d.w - d[c]), variation * dv + noise) << name;
+                    ASSERT_LE(std::abs(d[c]), logVariation * ratio + noise) << name;
+                    ASSERT_LE(std::abs(d.w - d[c]), logVariation * ratio + noise) << name;
                 }
             }
             ASSERT_LE(largest, bound) << name;
