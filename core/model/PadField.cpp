@@ -6,7 +6,10 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <limits>
 
 namespace brickwall {
@@ -136,17 +139,19 @@ float largestDifference(const PaddedBrick& brick, const float* values, const vec
     return static_cast<float>(glm::length(vec3d(largest))); // squares of floats may vanish
 }
 
-/// The same of positive values, as a share of the smaller one of two neighbours: ln B cannot change faster.
-float largestShare(const PaddedBrick& brick, const float* values, const vec3i& lower, const vec3i& upper)
+/// The same of the logarithms of positive values, from their bits, which rise with the logarithm at 1 to 2 times 2^23:
+/// at least the mean change between two neighbours, and up to twice that.
+float largestLogDifference(const PaddedBrick& brick, const float* values, const vec3i& lower, const vec3i& upper)
 {
     vec3f largest(0.0f);
     forNeighbours(brick, values, lower, upper, [&](int axis, const float* row, std::size_t stride, int count) {
-        float most = 0.0f;
+        std::int32_t most = 0;
         for (int x = 0; x < count; ++x)
-            most = std::max(most, std::abs(row[x + stride] - row[x]) / std::min(row[x + stride], row[x]));
-        largest[axis] = std::max(largest[axis], most);
+            most = std::max(
+                most, std::abs(std::bit_cast<std::int32_t>(row[x + stride]) - std::bit_cast<std::int32_t>(row[x])));
+        largest[axis] = std::max(largest[axis], float(most) * 0x1p-23f);
     });
-    return static_cast<float>(glm::length(vec3d(largest)));
+    return glm::length(largest);
 }
 
 struct RegionValues
@@ -174,7 +179,7 @@ RegionValues valuesOfRegion(const Region& region, const RegionTree& tree, const 
             const float width = static_cast<float>(brick.cellWidth());
             result.slope = largestDifference(brick, values, lower, upper) / width;
             if (range.lo > 0.0f)
-                result.logSlope = largestShare(brick, values, lower, upper) / width;
+                result.logSlope = largestLogDifference(brick, values, lower, upper) / width;
         }
     }
     if (region.brickCount > 1) { // the weights change by up to their own size per cell along each axis

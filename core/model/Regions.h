@@ -81,7 +81,8 @@ struct PaddedField
     /// One per region: how fast B changes along any ray in it, at most, per voxel. For one brick a bound, from the
     /// largest difference of neighbours along each axis; for several an estimate, from the range and the finest width.
     std::vector<float> regionSlopes;
-    /// The same of ln B, where all values of the region are positive; else 0.
+    /// The same of ln B, where all values of the region are positive; else 0. An estimate: between two neighbours ln B is
+    /// taken to change evenly.
     std::vector<float> regionLogSlopes;
     Range range;
 

@@ -22,11 +22,11 @@ public:
     HWY_INLINE BoundedPieces(BoundedRays& rays, const Region& region, std::uint32_t index)
         : rays_(rays),
           bounds_(rays.scene.regionBounds[index]),
+          range_(rays.scene.field->regionRanges[index]),
           piece_(*rays.scene.regions, region, rays.scene.field->values.data(), rays.scene.origin, rays.ray),
           width_(static_cast<float>(1 << region.finestLevel)),
           carried_(firstLanes(0)),
-          last_{rays.scene.field->regionRanges[index].lo, 0.0f,
-                rays.lookup.at(rays.scene.field->regionRanges[index].lo, carried_), 1.0f}
+          last_{range_.lo, 0.0f, rays.lookup.at(range_.lo, carried_), 1.0f}
     {
     }
 
@@ -34,14 +34,17 @@ public:
     HWY_INLINE void operator()(MaskN todo, FloatN t0, FloatN t1)
     {
         const Range visible = rays_.scene.integral->visible;
-        const FloatN least = fma(max(abs(t0), abs(t1)), tuning::planeRounding, tuning::planeRoundingInCells * width_);
+        const FloatN shortest =
+            fma(max(abs(t0), abs(t1)), tuning::planeRounding, tuning::planeRoundingInCells * width_);
         FloatN t = t0;
         while (any(todo)) {
-            FloatN end = piece_.end(t, least);
-            end = select(end + least < t1, end, t1);
+            FloatN end = piece_.end(t, shortest);
+            end = select(end + shortest < t1, end, t1);
             piece_.load(t, end);
             rays_.counts.fetches += count(todo) * piece_.fetches();
-            const MaskN seen = todo & (piece_.largest() >= FloatN(visible.lo)) & (piece_.least() <= FloatN(visible.hi));
+            const FloatN least = piece_.least(), largest = piece_.largest();
+            const FloatN noise = FloatN(tuning::valueRounding) * max(abs(least), abs(largest));
+            const MaskN seen = todo & (largest + noise >= FloatN(visible.lo)) & (least - noise <= FloatN(visible.hi));
             rays_.counts.piecesSkipped += count(todo) - count(seen);
             const QuadN before = rays_.last;
             rays_.last = select(todo, QuadN{0.0f, 0.0f, 0.0f, 0.0f}, rays_.last);
@@ -69,15 +72,16 @@ private:
         MaskN split = firstLanes(0);
         while (any(todo)) {
             const PlaceN b = placeAt(s + h, todo);
-            const ExtentN extent{piece_.enclosure(s, s + h), bounds_.extinction, bounds_.variation, h, h * length};
+            const ExtentN extent{piece_.enclosure(s, s + h), range_, bounds_.extinction, bounds_.variation,
+                                 bounds_.relativeVariation,  h,      h * length};
             const FloatN t = fma(s, length, t0), most = mostError(extent);
-            const PartN whole = wholePart<shaded>(rays_.lookup, a, b, extent);
+            const PartN whole = wholePart<shaded>(rays_.lookup, todo, a, b, extent);
             MaskN good = todo & fits(whole, extent, perLength);
             rays_.add(good, whole, most, t, extent.length);
             const MaskN rest = andNot(todo, good);
             if (any(rest)) {
                 const PlaceN m = placeAt(fma(0.5f, h, s), rest);
-                const PartN halves = halvedPart<shaded>(rays_.lookup, a, m, b, whole.segment, extent);
+                const PartN halves = halvedPart<shaded>(rays_.lookup, rest, a, m, b, whole.segment, extent);
                 const MaskN better = rest & (fits(halves, extent, perLength) | (h <= FloatN(tuning::shortestPart)));
                 rays_.add(better, halves, most, t, extent.length);
                 good = good | better;
@@ -176,6 +180,7 @@ private:
 
     BoundedRays& rays_;
     const RegionBounds& bounds_;
+    const Range& range_;
     Pieces piece_;
     float width_;   ///< of a cell
     MaskN carried_; ///< where last_ is the end of the piece before

@@ -33,10 +33,12 @@ struct PlaceN
 struct ExtentN
 {
     EnclosureN enclosure; ///< of B: Bernstein coefficients, which no polynomial leaves
-    float extinction;     ///< of the region, the largest (RegionBounds), per voxel
-    float variation;      ///< of the transfer function (RegionBounds), per value and voxel
-    FloatN h;             ///< of its piece
-    FloatN length;        ///< in voxels
+    Range values;         ///< of the region's cells, which B cannot leave either
+    float extinction;     ///< these three of RegionBounds
+    float variation;
+    float relativeVariation;
+    FloatN h;      ///< of its piece
+    FloatN length; ///< in voxels
 };
 
 /// A part of a piece with the error that it may have, per transmittance.
@@ -121,15 +123,32 @@ HWY_INLINE MaskN mayTurnTwice(const PlaceN& a, const PlaceN& b, FloatN h)
     return (a.slope * b.slope > FloatN(0.0f)) & (middle * a.slope < FloatN(0.0f)) & (abs(middle) > noise);
 }
 
-/// Where B hardly changes, rounding of its values decides how long a ray stays in a thin shell; and that of the values
-/// where a shell begins and ends, how thick it is.
-HWY_INLINE FloatN roundingOf(const PlaceN& a, const PlaceN& b, const QuadN& mean, const ExtentN& extent, FloatN length)
+/// By how much the density differs from its mean if rounding has moved all values of a part across a knot or a step.
+HWY_INLINE FloatN acrossNoise(const TransferIntegralLookup& lookup, MaskN lanes, FloatN lo, FloatN hi,
+                              const QuadN& mean)
 {
-    const FloatN noise = FloatN(tuning::valueRounding) * max(abs(a.value), abs(b.value)), rise = abs(b.value - a.value);
+    return max(largestChange(mean - lookup.at(lo, lanes).density()),
+               largestChange(mean - lookup.at(hi, lanes).density()));
+}
+
+/// Where B hardly changes, rounding of its values decides how long a ray stays in a thin shell, or whether it has
+/// entered what is opaque; and that of the values where a shell begins and ends, how thick it is.
+HWY_INLINE FloatN roundingOf(const TransferIntegralLookup& lookup, MaskN lanes, const PlaceN& a, const PlaceN& b,
+                             const QuadN& mean, const ExtentN& extent, FloatN length)
+{
+    const FloatN lo = min(a.value, b.value), hi = max(a.value, b.value), rise = hi - lo;
+    const FloatN noise = FloatN(tuning::valueRounding) * max(abs(lo), abs(hi));
     const MaskN lost = noise >= rise;
-    const FloatN share = select(lost, 1.0f, noise / select(lost, 1.0f, rise));
-    const FloatN between = min(rise * FloatN(0.5f * extent.variation), extent.extinction);
-    return share * max(peakOf(a, b, mean), valueOrZero(!(a.look.segment == b.look.segment), between)) * length;
+    const FloatN share = noise / select(lost, 1.0f, rise);
+    const FloatN inside =
+        min(0.5f * tuning::valueRounding * extent.relativeVariation, share * FloatN(extent.extinction));
+    const MaskN across = !(a.look.segment == b.look.segment);
+    FloatN off = max(share * peakOf(a, b, mean), valueOrZero(across, inside));
+    const FloatN below = max(lo - noise, extent.values.lo), above = min(hi + noise, extent.values.hi);
+    const MaskN unclear = lanes & lost & ((below < lo) | (above > hi));
+    if (any(unclear))
+        off = select(unclear, acrossNoise(lookup, unclear, below, above, mean), off);
+    return off * length;
 }
 
 /// Whether the values of a part are the same but for rounding, and so more parts would not say more of them.
@@ -141,7 +160,7 @@ HWY_INLINE MaskN isRounding(const PlaceN& a, const PlaceN& m, const PlaceN& b)
 
 /// A part from a to b by the mean of colour and extinction over the values between its ends.
 template <bool shaded>
-HWY_INLINE PartN wholePart(const TransferIntegralLookup& lookup, const PlaceN& a, const PlaceN& b,
+HWY_INLINE PartN wholePart(const TransferIntegralLookup& lookup, MaskN lanes, const PlaceN& a, const PlaceN& b,
                            const ExtentN& extent)
 {
     const QuadN mean = lookup.meanBetween(a.look, b.look);
@@ -154,14 +173,14 @@ HWY_INLINE PartN wholePart(const TransferIntegralLookup& lookup, const PlaceN& a
         turn += valueOrZero(mayTurnTwice(a, b, extent.h), FloatN(tuning::unseenDip));
         error = fma(segment.opacity, turn, error);
     }
-    return {segment, error, roundingOf(a, b, mean, extent, extent.length)};
+    return {segment, error, roundingOf(lookup, lanes, a, b, mean, extent, extent.length)};
 }
 
 /// The same part by two halves of that kind, with m in the middle. What they change against the whole says how good
 /// they are.
 template <bool shaded>
-HWY_INLINE PartN halvedPart(const TransferIntegralLookup& lookup, const PlaceN& a, const PlaceN& m, const PlaceN& b,
-                            const SegmentN& whole, const ExtentN& extent)
+HWY_INLINE PartN halvedPart(const TransferIntegralLookup& lookup, MaskN lanes, const PlaceN& a, const PlaceN& m,
+                            const PlaceN& b, const SegmentN& whole, const ExtentN& extent)
 {
     const QuadN first = lookup.meanBetween(a.look, m.look), second = lookup.meanBetween(m.look, b.look);
     const FloatN half = FloatN(0.5f) * extent.length;
@@ -183,7 +202,9 @@ HWY_INLINE PartN halvedPart(const TransferIntegralLookup& lookup, const PlaceN& 
         const FloatN dip = valueOrZero(dips, FloatN(tuning::unseenDip));
         error = fma(segment.opacity, fma(FloatN(tuning::turnShare), turn * turn, dip), error);
     }
-    return {segment, error, max(roundingOf(a, m, first, extent, half), roundingOf(m, b, second, extent, half))};
+    return {segment, error,
+            max(roundingOf(lookup, lanes, a, m, first, extent, half),
+                roundingOf(lookup, lanes, m, b, second, extent, half))};
 }
 
 } // namespace brickwall::HWY_NAMESPACE

@@ -2,6 +2,7 @@
 #include "brickwall/core/trace/RegionBounds.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace brickwall {
 
@@ -15,14 +16,15 @@ std::vector<RegionBounds> regionBounds(const PaddedField& field, const TransferI
             bounds[i].extinction = integral.largestExtinction(range);
             if (!(bounds[i].extinction > 0.0f))
                 continue;
-            bounds[i].variation = integral.largestVariation(range);
+            const float perValue = integral.largestVariation(range), perLog = integral.largestLogVariation(range);
+            bounds[i].variation = perValue;
+            bounds[i].relativeVariation = std::min(perValue * std::max(std::abs(range.lo), std::abs(range.hi)), perLog);
             if (!(field.regionSlopes[i] > 0.0f)) // a step times nothing is nothing
                 continue;
-            bounds[i].variationAlong = bounds[i].variation * field.regionSlopes[i];
+            bounds[i].variationAlong = perValue * field.regionSlopes[i];
             // Over several decades the largest slope and the steepest values of the function are seldom the same ones.
             if (field.regionLogSlopes[i] > 0.0f)
-                bounds[i].variationAlong =
-                    std::min(bounds[i].variationAlong, integral.largestLogVariation(range) * field.regionLogSlopes[i]);
+                bounds[i].variationAlong = std::min(bounds[i].variationAlong, perLog * field.regionLogSlopes[i]);
         }
     });
     return bounds;

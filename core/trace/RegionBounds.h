@@ -17,6 +17,8 @@ struct RegionBounds
     /// How fast (c - C) sigma changes with the value, at most, per voxel, for the worst colour C behind; may be
     /// infinite.
     float variation = 0.0f;
+    /// The same per share of the value: what rounding of values multiplies.
+    float relativeVariation = 0.0f;
     /// The same along any ray, per voxel and voxel: a sample in the middle of a segment of length h errs by at most
     /// T variationAlong h^2 / 4.
     float variationAlong = 0.0f;
