@@ -19,9 +19,7 @@ class FabReader : public BoxReader
 {
 public:
     FabReader(const AmrexLevels& levels, const LeafJob& job, std::size_t component)
-        : file_(
-              (std::filesystem::path(levels.folders[job.levelIndex]) / levels.cells[job.levelIndex].fabs[job.box].file)
-                  .string()),
+        : file_(dataFile(levels, job)),
           offset_(levels.cells[job.levelIndex].fabs[job.box].offset),
           layout_(readFabLayout(file_, offset_)),
           component_(static_cast<std::int64_t>(component))
@@ -31,12 +29,19 @@ public:
 
     std::string place() const override { return fmt::format("{}: FAB at byte {}", file_.path(), offset_); }
     Box3i box() const override { return layout_.box; }
+    std::int64_t slabValues() const override { return std::int64_t(1) << 15; }
     void read(int zBegin, int zEnd, std::vector<double>& values) override
     {
         readFabPlanes(file_, layout_, component_, zBegin, zEnd, values);
     }
 
 private:
+    static std::string dataFile(const AmrexLevels& levels, const LeafJob& job)
+    {
+        const AmrexCells& cells = levels.cells[job.levelIndex];
+        return (std::filesystem::path(levels.folders[job.levelIndex]) / cells.files[cells.fabs[job.box].file]).string();
+    }
+
     void checkLayout(const AmrexLevels& levels, const LeafJob& job) const
     {
         const AmrexCells& cells = levels.cells[job.levelIndex];

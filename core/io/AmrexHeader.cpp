@@ -2,7 +2,6 @@
 #include "brickwall/core/io/AmrexHeader.h"
 
 #include "brickwall/core/base/Error.h"
-#include "brickwall/core/io/InputFile.h"
 #include "brickwall/core/model/Model.h"
 
 #include <fmt/format.h>
@@ -11,6 +10,8 @@
 #include <bit>
 #include <cctype>
 #include <cmath>
+#include <map>
+#include <string_view>
 #include <utility>
 
 namespace brickwall {
@@ -18,7 +19,7 @@ namespace {
 
 constexpr std::int64_t indexLimit = std::int64_t(1) << 30; // sums and differences of indices stay ints
 
-vec3i readIntVect(TextCursor& text, const std::string& what)
+vec3i readIntVect(TextCursor& text, std::string_view what)
 {
     vec3i v;
     text.expect("(", what);
@@ -113,6 +114,20 @@ void readGrids(TextCursor& text, std::vector<AmrexLevel>& levels)
     }
 }
 
+void readFabs(TextCursor& text, std::int64_t count, AmrexCells& cells)
+{
+    std::map<std::string, std::uint32_t> known; // by name, of cells.files
+    for (std::int64_t i = 0; i < count; ++i) {
+        text.expect("FabOnDisk:", "the place of a FAB");
+        const std::string name = text.word("the name of a data file");
+        const auto [file, isNew] = known.emplace(name, static_cast<std::uint32_t>(cells.files.size()));
+        if (isNew)
+            cells.files.push_back(name);
+        const std::int64_t offset = text.integer("an offset in a data file", 0, INT64_MAX);
+        cells.fabs.push_back({file->second, static_cast<std::uint64_t>(offset)});
+    }
+}
+
 int shiftOf(const std::vector<AmrexLevel>& levels)
 {
     int shift = 0;
@@ -137,7 +152,7 @@ bool isPlotfileVersion(const std::string& firstLine)
 
 AmrexHeader readAmrexHeader(const std::string& file)
 {
-    TextCursor text(file, readText(file));
+    TextCursor text(file);
     AmrexHeader header;
     header.version = text.line("the version of the plotfile, like HyperCLaw-V1.1");
     const std::int64_t components = text.count("the number of components", 1);
@@ -170,10 +185,11 @@ AmrexHeader readAmrexHeader(const std::string& file)
     return header;
 }
 
-AmrexCells readAmrexCells(const std::string& file)
+AmrexCells readAmrexCells(const std::string& file, int level)
 {
-    TextCursor text(file, readText(file));
+    TextCursor text(file);
     AmrexCells cells;
+    cells.boxes = {file, level, {}};
     const std::string where = text.where();
     const std::int64_t version = text.integer("the version of the MultiFab", 0, 4);
     if (version > 1)
@@ -191,15 +207,11 @@ AmrexCells readAmrexCells(const std::string& file)
     const std::int64_t boxes = text.count("the number of boxes", 0);
     text.word("the hash of the boxes");
     for (std::int64_t i = 0; i < boxes; ++i)
-        cells.boxes.push_back(readAmrexBox(text));
+        cells.boxes.boxes.push_back(readAmrexBox(text));
     text.expect(")", "the list of boxes");
+    checkLevel(cells.boxes);
     text.integer("the number of FABs, as many as boxes", boxes, boxes);
-    for (std::int64_t i = 0; i < boxes; ++i) {
-        text.expect("FabOnDisk:", "the place of a FAB");
-        AmrexFab fab{.file = text.word("the name of a data file")};
-        fab.offset = static_cast<std::uint64_t>(text.integer("an offset in a data file", 0, INT64_MAX));
-        cells.fabs.push_back(std::move(fab));
-    }
+    readFabs(text, boxes, cells);
     return cells;
 }
 
@@ -208,16 +220,15 @@ Box3i readAmrexBox(TextCursor& text)
     text.expect("(", "a box ((lower) (upper) (type))");
     const vec3i lower = readIntVect(text, "a box's lower index");
     const vec3i upper = readIntVect(text, "a box's upper index");
-    const std::string where = text.where();
     const vec3i type = readIntVect(text, "a box's type");
-    text.expect(")", "a box");
     if (type != vec3i(0))
-        throw Error(where, fmt::format("expected values at cell centres, type (0,0,0), found type ({},{},{})", type.x,
-                                       type.y, type.z));
+        throw Error(text.where(), fmt::format("expected values at cell centres, type (0,0,0), found type ({},{},{})",
+                                              type.x, type.y, type.z));
     for (int axis = 0; axis < 3; ++axis)
         if (upper[axis] < lower[axis])
-            throw Error(where, fmt::format("expected a box with cells, found indices {} to {} along {}", lower[axis],
-                                           upper[axis], "xyz"[axis]));
+            throw Error(text.where(), fmt::format("expected a box with cells, found indices {} to {} along {}",
+                                                  lower[axis], upper[axis], "xyz"[axis]));
+    text.expect(")", "a box");
     return {lower, upper + 1};
 }
 

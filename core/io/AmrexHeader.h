@@ -1,7 +1,7 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "brickwall/core/base/Box.h"
+#include "brickwall/core/io/LevelBoxes.h"
 #include "brickwall/core/io/TextCursor.h"
 
 #include <cstdint>
@@ -35,7 +35,7 @@ struct AmrexHeader
 /// own.
 struct AmrexFab
 {
-    std::string file; ///< in the folder of Cell_H
+    std::uint32_t file = 0; ///< of AmrexCells::files
     std::uint64_t offset = 0;
 };
 
@@ -44,8 +44,9 @@ struct AmrexCells
 {
     std::int64_t components = 0;
     vec3i ghosts{0};
-    std::vector<Box3i> boxes;
-    std::vector<AmrexFab> fabs; ///< one per box
+    BoxLevel boxes;
+    std::vector<std::string> files; ///< in the folder of Cell_H, each once
+    std::vector<AmrexFab> fabs;     ///< one per box
 };
 
 /// "HyperCLaw-V1.1" and the like.
@@ -53,7 +54,8 @@ bool isPlotfileVersion(const std::string& firstLine);
 
 /// Both throw Error with file and line for all that is not as expected, a plotfile of two dimensions among it.
 AmrexHeader readAmrexHeader(const std::string& file);
-AmrexCells readAmrexCells(const std::string& file);
+/// `level` is our number of the level whose Cell_H this is. Boxes that overlap are refused before the rest is read.
+AmrexCells readAmrexCells(const std::string& file, int level);
 
 /// "((0,0,0) (31,31,31) (0,0,0))": lowest and highest index, and the centring, which has to be that of cells.
 Box3i readAmrexBox(TextCursor& text);

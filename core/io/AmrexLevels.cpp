@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <set>
 #include <utility>
 
 namespace brickwall {
@@ -19,24 +18,21 @@ void checkDataSize(const std::string& folder, const BoxLevel& level, const Amrex
     double numbers = 0; // boxes may be hostile, their sum beyond 2^64
     for (const Box3i& b : level.boxes)
         numbers += double(volume(b)) * double(cells.components);
-    std::set<std::string> files;
-    for (const AmrexFab& fab : cells.fabs)
-        files.insert(fab.file);
     std::uint64_t bytes = 0;
-    for (const std::string& file : files)
+    for (const std::string& file : cells.files)
         bytes += InputFile((std::filesystem::path(folder) / file).string()).size();
     if (numbers > double(bytes))
         throw Error(level.place, fmt::format("truncated: the boxes have {} numbers, but their {} data files only {} "
                                              "bytes",
-                                             numbers, files.size(), bytes));
+                                             numbers, cells.files.size(), bytes));
 }
 
 void checkAgainstHeader(const AmrexHeader& header, std::size_t level, const AmrexCells& cells, const std::string& place)
 {
     const std::int64_t grids = header.levels[level].gridCount;
-    if (static_cast<std::int64_t>(cells.boxes.size()) != grids)
+    if (static_cast<std::int64_t>(cells.boxes.boxes.size()) != grids)
         throw Error(place, fmt::format("expected {} boxes, as Header says of level {}, found {}", grids, level,
-                                       cells.boxes.size()));
+                                       cells.boxes.boxes.size()));
     if (cells.components != static_cast<std::int64_t>(header.components.size()))
         throw Error(place, fmt::format("expected {} components, as Header says, found {}", header.components.size(),
                                        cells.components));
@@ -56,9 +52,9 @@ AmrexLevels readAmrexLevels(const std::string& folder, const AmrexHeader& header
     for (std::size_t i = 0; i < count; ++i) {
         progress.check();
         const std::filesystem::path path = std::filesystem::path(folder) / (header.levels[i].path + "_H");
-        AmrexCells cells = readAmrexCells(path.string());
+        AmrexCells cells = readAmrexCells(path.string(), numbers[i]);
         checkAgainstHeader(header, i, cells, path.string());
-        levels.boxes.push_back({path.string(), numbers[i], std::exchange(cells.boxes, {})});
+        levels.boxes.push_back(std::exchange(cells.boxes, {}));
         levels.folders.push_back(path.parent_path().string());
         levels.cells.push_back(std::move(cells));
         progress.advance(1);

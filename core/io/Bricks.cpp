@@ -2,12 +2,14 @@
 #include "brickwall/core/base/Error.h"
 #include "brickwall/core/io/ExaGeometry.h"
 #include "brickwall/core/model/BrickBuilder.h"
+#include "brickwall/core/model/CheckModel.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstring>
 #include <utility>
 
 namespace brickwall {
@@ -21,15 +23,40 @@ constexpr std::uint64_t headerBytes = 28;
     throw Error(file.path(), fmt::format("brick record {} at byte {}: {}", record, offset, message));
 }
 
+/// Reads headers one after the other; those of small bricks, which may be millions, many at a time.
+class HeaderReader
+{
+public:
+    explicit HeaderReader(const InputFile& file) : file_(file) {}
+
+    std::array<std::int32_t, 7> at(std::uint64_t offset)
+    {
+        constexpr std::uint64_t window = 1 << 16, small = 1 << 12;
+        if (offset < begin_ || offset + headerBytes > begin_ + bytes_.size()) {
+            bytes_.resize(offset < last_ + small ? std::min(window, file_.size() - offset) : headerBytes);
+            begin_ = offset;
+            file_.readAt(offset, std::span(bytes_), "a brick's header");
+        }
+        std::array<std::int32_t, 7> header{};
+        std::memcpy(header.data(), bytes_.data() + (offset - begin_), headerBytes);
+        last_ = offset;
+        return header;
+    }
+
+private:
+    const InputFile& file_;
+    std::vector<std::byte> bytes_;
+    std::uint64_t begin_ = 0, last_ = 0;
+};
+
 /// The brick of the record at `offset`, which has been checked to end within the file.
-Brick readRecord(const InputFile& file, std::uint64_t record, std::uint64_t offset)
+Brick readRecord(const InputFile& file, HeaderReader& headers, std::uint64_t record, std::uint64_t offset)
 {
     if (file.size() - offset < headerBytes)
         failRecord(file, record, offset,
                    fmt::format("truncated: expected {} bytes of size, lower and level, found {}", headerBytes,
                                file.size() - offset));
-    std::array<std::int32_t, 7> h{};
-    file.readAt(offset, std::span<std::int32_t>(h), "a brick's header");
+    const std::array<std::int32_t, 7> h = headers.at(offset);
     Brick brick{.lower = {h[3], h[4], h[5]}, .size = {h[0], h[1], h[2]}, .level = h[6]};
 
     const std::uint64_t room = (file.size() - offset - headerBytes) / sizeof(std::uint32_t);
@@ -63,23 +90,46 @@ Brick readRecord(const InputFile& file, std::uint64_t record, std::uint64_t offs
     return brick;
 }
 
+/// Calls body(brick, offset of its IDs) for all records.
+template <class Body>
+void forEachRecord(const InputFile& file, const Body& body)
+{
+    HeaderReader headers(file);
+    std::uint64_t record = 0;
+    for (std::uint64_t offset = 0; offset < file.size(); ++record) {
+        const Brick brick = readRecord(file, headers, record, offset);
+        offset += headerBytes;
+        body(brick, offset);
+        offset += brick.cellCount() * sizeof(std::uint32_t);
+    }
+}
+
+/// Twice, as it is quickly done: a file that is broken at its end should not take memory first. For the same reason
+/// bricks at one place are looked for whenever there are twice as many.
 void readRecords(ExaGeometry& geometry, Progress& progress)
 {
     const InputFile& file = *geometry.idFile;
     progress.begin("reading bricks", file.size());
-    for (std::uint64_t offset = 0; offset < file.size();) {
+    std::size_t count = 0;
+    forEachRecord(file, [&](const Brick&, std::uint64_t) { ++count; });
+    geometry.bricks.reserve(count);
+    geometry.records.reserve(count);
+    geometry.fileOffsets.reserve(count);
+    std::size_t nextCheck = 1 << 17;
+    forEachRecord(file, [&](Brick brick, std::uint64_t idOffset) {
         if (geometry.bricks.size() % 1024 == 0)
             progress.check();
-        Brick brick = readRecord(file, geometry.bricks.size(), offset);
+        if (geometry.bricks.size() == nextCheck) {
+            checkBricks(geometry.bricks, geometry.place);
+            nextCheck *= 2;
+        }
         brick.begin = geometry.cellCount;
         geometry.records.push_back(geometry.bricks.size());
-        geometry.fileOffsets.push_back(offset + headerBytes);
+        geometry.fileOffsets.push_back(idOffset);
         geometry.bricks.push_back(brick);
         geometry.cellCount += brick.cellCount();
-        const std::uint64_t bytes = headerBytes + brick.cellCount() * sizeof(std::uint32_t);
-        offset += bytes;
-        progress.advance(bytes);
-    }
+        progress.advance(headerBytes + brick.cellCount() * sizeof(std::uint32_t));
+    });
     progress.end();
 }
 
@@ -177,7 +227,8 @@ void checkFirstBrick(const std::string& path)
     const InputFile file(path);
     if (file.size() == 0)
         throw Error(path, "the file is empty, expected bricks");
-    readRecord(file, 0, 0);
+    HeaderReader headers(file);
+    readRecord(file, headers, 0, 0);
 }
 
 ExaGeometry readBricks(const std::string& path, const Executor& executor, Progress& progress)

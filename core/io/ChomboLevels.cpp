@@ -4,6 +4,7 @@
 #include "brickwall/core/base/Error.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,7 @@ namespace brickwall {
 namespace {
 
 const std::vector<std::string> boxMembers{"lo_i", "lo_j", "lo_k", "hi_i", "hi_j", "hi_k"};
+constexpr std::uint64_t boxesAtATime = 1 << 13; // as a list that means harm may be long
 const std::vector<std::string> vectorMembers{"intvecti", "intvectj", "intvectk"};
 
 std::string groupOf(std::size_t level)
@@ -28,16 +30,19 @@ std::size_t levelCount(const Hdf5File& file)
 std::vector<Box3i> readBoxes(const Hdf5File& file, const std::string& dataset)
 {
     const Hdf5Data data = file.data(dataset);
-    const std::vector<std::int64_t> numbers = data.records(boxMembers);
     std::vector<Box3i> boxes;
-    for (std::size_t i = 0; i + 6 <= numbers.size(); i += 6) {
-        const std::int64_t* n = numbers.data() + i;
-        const auto [least, most] = std::minmax_element(n, n + 6);
-        if (n[3] < n[0] || n[4] < n[1] || n[5] < n[2] || *least < -coordinateLimit || *most >= coordinateLimit)
-            throw Error(data.place(), fmt::format("box {}: expected indices from low to high within +-{}, found "
-                                                  "({},{},{}) to ({},{},{})",
-                                                  i / 6, coordinateLimit, n[0], n[1], n[2], n[3], n[4], n[5]));
-        boxes.push_back({vec3i(n[0], n[1], n[2]), vec3i(n[3] + 1, n[4] + 1, n[5] + 1)});
+    while (boxes.size() < data.size()) {
+        const std::uint64_t count = std::min<std::uint64_t>(boxesAtATime, data.size() - boxes.size());
+        const std::vector<std::int32_t> numbers = data.records(boxMembers, boxes.size(), count);
+        for (const std::int32_t* n = numbers.data(); n < numbers.data() + numbers.size(); n += 6) {
+            const auto [least, most] = std::minmax_element(n, n + 6);
+            if (n[3] < n[0] || n[4] < n[1] || n[5] < n[2] || *least < -coordinateLimit || *most >= coordinateLimit)
+                throw Error(data.place(),
+                            fmt::format("box {}: expected indices from low to high within +-{}, found ({},{},{}) to "
+                                        "({},{},{})",
+                                        boxes.size(), coordinateLimit, n[0], n[1], n[2], n[3], n[4], n[5]));
+            boxes.push_back({vec3i(n[0], n[1], n[2]), vec3i(n[3] + 1, n[4] + 1, n[5] + 1)});
+        }
     }
     return boxes;
 }
@@ -47,8 +52,8 @@ int readRatio(const Hdf5File& file, const std::string& group)
 {
     if (!file.hasAttribute(group, "vec_ref_ratio"))
         return static_cast<int>(file.integer(group, "ref_ratio", 1, 1 << 20));
-    const std::vector<std::int64_t> ratios = file.record(group, "vec_ref_ratio", vectorMembers);
-    const std::int64_t ratio = ratios[0];
+    const std::vector<std::int32_t> ratios = file.record(group, "vec_ref_ratio", vectorMembers);
+    const std::int32_t ratio = ratios[0];
     if (ratios[1] != ratio || ratios[2] != ratio || ratio < 1 || ratio > 1 << 20)
         throw Error(
             fmt::format("{}: attribute 'vec_ref_ratio' of /{}", file.path(), group),
@@ -64,6 +69,56 @@ double readCellSize(const Hdf5File& file, const std::string& group)
                     fmt::format("expected one positive cell size, found {}",
                                 dx.size() == 1 ? fmt::format("{}", dx[0]) : fmt::format("{} numbers", dx.size())));
     return dx[0];
+}
+
+double numberOr(const Hdf5File& file, const std::string& attribute, double otherwise)
+{
+    const std::string group = groupOf(0);
+    if (!file.hasAttribute(group, attribute))
+        return otherwise;
+    const std::vector<double> numbers = file.numbers(group, attribute);
+    if (numbers.size() != 1 || !std::isfinite(numbers[0]))
+        throw Error(fmt::format("{}: attribute '{}' of /{}", file.path(), attribute, group), "expected one number");
+    return numbers[0];
+}
+
+/// PLUTO says what its coordinates are, by number. Other codes have no other than Cartesian ones.
+void checkGeometry(const Hdf5File& file)
+{
+    if (!file.hasAttribute(groupOf(0), "domBeg1"))
+        return;
+    if (const double geometry = numberOr(file, "geometry", 1.0); geometry != 1.0)
+        throw Error(fmt::format("{}: attribute 'geometry' of /{}", file.path(), groupOf(0)),
+                    fmt::format("expected 1, Cartesian coordinates, found {}", geometry));
+    if (const double logarithmic = numberOr(file, "logr", 0.0); logarithmic != 0.0)
+        throw Error(fmt::format("{}: attribute 'logr' of /{}", file.path(), groupOf(0)),
+                    fmt::format("expected 0, cells of one size, found {}", logarithmic));
+}
+
+/// Where index 0 is: `domBeg1` to `domBeg3` of PLUTO, `prob_lo` of others, else the origin.
+vec3d readOrigin(const Hdf5File& file)
+{
+    if (file.hasAttribute(groupOf(0), "domBeg1"))
+        return {numberOr(file, "domBeg1", 0.0), numberOr(file, "domBeg2", 0.0), numberOr(file, "domBeg3", 0.0)};
+    for (const std::string& object : {std::string(), std::string("Chombo_global"), groupOf(0)})
+        if (file.hasAttribute(object, "prob_lo")) {
+            const std::vector<double> p = file.numbers(object, "prob_lo");
+            if (p.size() != 3 || !std::isfinite(p[0] + p[1] + p[2]))
+                throw Error(fmt::format("{}: attribute 'prob_lo' of /{}", file.path(), object),
+                            fmt::format("expected three numbers, found {}", fmt::join(p, ", ")));
+            return {p[0], p[1], p[2]};
+        }
+    return vec3d(0.0);
+}
+
+/// PLUTO's cells may be wider along y and z, by these factors.
+vec3d readStretch(const Hdf5File& file)
+{
+    const vec3d stretch(1.0, numberOr(file, "g_x2stretch", 1.0), numberOr(file, "g_x3stretch", 1.0));
+    if (!glm::all(glm::greaterThan(stretch, vec3d(0.0))))
+        throw Error(fmt::format("{}: attributes 'g_x2stretch', 'g_x3stretch' of /{}", file.path(), groupOf(0)),
+                    fmt::format("expected positive numbers, found {} and {}", stretch.y, stretch.z));
+    return stretch;
 }
 
 /// The names of the root's attributes component_0, component_1 ...
@@ -100,7 +155,7 @@ vec3i ghostsOf(const Hdf5File& file, const std::string& attributes, const std::s
 {
     if (!file.hasAttribute(attributes, name))
         return vec3i(0);
-    const std::vector<std::int64_t> g = file.record(attributes, name, vectorMembers);
+    const std::vector<std::int32_t> g = file.record(attributes, name, vectorMembers);
     if (*std::min_element(g.begin(), g.end()) < 0 || *std::max_element(g.begin(), g.end()) > 1024)
         throw Error(fmt::format("{}: attribute '{}' of /{}", file.path(), name, attributes),
                     fmt::format("expected 0 to 1024 ghost cells, found {}, {} and {}", g[0], g[1], g[2]));
@@ -137,6 +192,7 @@ std::vector<ChomboField> readChomboFields(const Hdf5File& file)
 
 ChomboLevels readChomboLevels(const Hdf5File& file)
 {
+    checkGeometry(file);
     ChomboLevels levels;
     std::vector<int> ratios;
     std::vector<double> sizes;
@@ -159,7 +215,7 @@ ChomboLevels readChomboLevels(const Hdf5File& file)
                                     "found {}",
                                     expected, sizes[i]));
     }
-    levels.worldFromVoxel = worldFromIndices(vec3d(0.0), vec3i(0), vec3d(sizes.back()));
+    levels.worldFromVoxel = worldFromIndices(readOrigin(file), vec3i(0), sizes.back() * readStretch(file));
     return levels;
 }
 

@@ -40,7 +40,8 @@ struct ChomboArray
 /// Source: the Chombo design document, "Chombo HDF5 file format"; what codes write was looked up in their files. All
 /// throw Error with file and object for what is missing or contradicts itself, two dimensions among it.
 std::vector<ChomboField> readChomboFields(const Hdf5File& file);
-/// Boxes, refinement ratios, and cell sizes, which have to fit the ratios. The corner of cell (0,0,0) is at (0,0,0).
+/// Boxes, refinement ratios, and cell sizes, which have to fit the ratios. The corner of cell (0,0,0) is at (0,0,0), or
+/// where PLUTO's `domBeg1` to `domBeg3` or `prob_lo` say.
 ChomboLevels readChomboLevels(const Hdf5File& file);
 ChomboArray openChomboArray(const Hdf5File& file, const ChomboLevels& levels, std::size_t level,
                             const std::string& array);

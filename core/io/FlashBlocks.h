@@ -14,14 +14,12 @@ namespace brickwall {
 struct FlashBlocks
 {
     std::vector<BoxLevel> levels;                   ///< coarse to fine
-    std::vector<std::vector<std::uint64_t>> blocks; ///< the block in the file of each box
+    std::vector<std::vector<std::uint32_t>> blocks; ///< the block in the file of each box
     std::vector<std::uint64_t> shape;               ///< of each field: blocks, nz, ny, nx
     mat4d worldFromVoxel{1.0};
 };
 
-/// Where blocks lie is taken from `bounding box`, which is a number per face in the file's units, often in float only:
-/// the faces are put on the grid of their level, in the domain that all blocks together have. `anyField` gives the
-/// shape. Source: the FLASH4 User's Guide, "Output Formats".
+/// `anyField` gives the shape; where blocks lie is FlashTable's. Source: the FLASH4 User's Guide, "Output Formats".
 ///
 /// Throws Error for fewer than three dimensions, other geometries than Cartesian, and for blocks that are not where an
 /// octree has them.

@@ -140,13 +140,24 @@ std::vector<std::int64_t> Hdf5Data::integers() const
     return values;
 }
 
-std::vector<std::int64_t> Hdf5Data::records(std::span<const std::string> members) const
+std::vector<std::int32_t> Hdf5Data::records(std::span<const std::string> members, std::uint64_t first,
+                                            std::uint64_t count) const
 {
+    if (shape_.size() != 1 || first > shape_[0] || count > shape_[0] - first)
+        throw Error(place_, fmt::format("truncated: expected a list with {} elements from {} on, found a shape of {}",
+                                        count, first, shapeText(shape_)));
     const Hdf5Call call;
     const Hdf5Id type = checkHdf5(H5Dget_type(dataset_.get()), H5Tclose, place_, "has no readable type");
     const Hdf5Id memory = recordType(type.get(), members, place_);
-    std::vector<std::int64_t> values(size() * members.size());
-    checkHdf5(H5Dread(dataset_.get(), memory.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), place_,
+    std::vector<std::int32_t> values(count * members.size());
+    if (values.empty())
+        return values;
+    const hsize_t start = first, extent = count;
+    const Hdf5Id there = checkHdf5(H5Dget_space(dataset_.get()), H5Sclose, place_, "has no readable shape");
+    checkHdf5(H5Sselect_hyperslab(there.get(), H5S_SELECT_SET, &start, nullptr, &extent, nullptr), place_,
+              "cannot be read in part");
+    const Hdf5Id here = checkHdf5(H5Screate_simple(1, &extent, nullptr), H5Sclose, place_, "cannot be read");
+    checkHdf5(H5Dread(dataset_.get(), memory.get(), here.get(), there.get(), H5P_DEFAULT, values.data()), place_,
               "cannot be read");
     return values;
 }
@@ -186,13 +197,13 @@ void Hdf5Data::expectShape(std::span<const std::uint64_t> shape) const
 Hdf5Id recordType(std::int64_t type, std::span<const std::string> members, const std::string& place)
 {
     Hdf5Id memory =
-        checkHdf5(H5Tcreate(H5T_COMPOUND, members.size() * sizeof(std::int64_t)), H5Tclose, place, "cannot be read");
+        checkHdf5(H5Tcreate(H5T_COMPOUND, members.size() * sizeof(std::int32_t)), H5Tclose, place, "cannot be read");
     for (std::size_t i = 0; i < members.size(); ++i) {
         const int index = H5Tget_class(type) == H5T_COMPOUND ? H5Tget_member_index(type, members[i].c_str()) : -1;
         if (index < 0 || H5Tget_member_class(type, static_cast<unsigned>(index)) != H5T_INTEGER)
             throw Error(place, fmt::format("expected elements with the integers {}, found no '{}'",
                                            fmt::join(members, ", "), members[i]));
-        checkHdf5(H5Tinsert(memory.get(), members[i].c_str(), i * sizeof(std::int64_t), H5T_NATIVE_INT64), place,
+        checkHdf5(H5Tinsert(memory.get(), members[i].c_str(), i * sizeof(std::int32_t), H5T_NATIVE_INT32), place,
                   "cannot be read");
     }
     return memory;

@@ -31,8 +31,10 @@ public:
     /// All elements.
     std::vector<double> numbers() const;
     std::vector<std::int64_t> integers() const;
-    /// The named members, which are integers, of all elements, one element after the other.
-    std::vector<std::int64_t> records(std::span<const std::string> members) const;
+    /// The named members, which are integers, of `count` elements of a list from `first` on, one element after the
+    /// other. Integers of more than 32 bits become the nearest one of 32: most files have these, which then is fast.
+    std::vector<std::int32_t> records(std::span<const std::string> members, std::uint64_t first,
+                                      std::uint64_t count) const;
     /// Texts of fixed length, or that member of elements which are compounds; without padding at the end.
     std::vector<std::string> texts(const std::string& member = {}) const;
 
@@ -47,7 +49,7 @@ private:
     std::vector<std::uint64_t> shape_;
 };
 
-/// What it takes to read the named integer members of a compound: a compound of 64-bit ones. Throws Error at `place` if
+/// What it takes to read the named integer members of a compound: a compound of 32-bit ones. Throws Error at `place` if
 /// `type`, an identifier, has them not.
 Hdf5Id recordType(std::int64_t type, std::span<const std::string> members, const std::string& place);
 

@@ -59,6 +59,28 @@ std::uint64_t elementsOf(const Hdf5Id& attribute, const std::string& place)
     return static_cast<std::uint64_t>(count);
 }
 
+/// The members of an attribute that is one compound of numbers.
+std::vector<double> membersOf(const Hdf5Id& attribute, const Hdf5Id& type, const std::string& place)
+{
+    const int count = checkHdf5(H5Tget_nmembers(type.get()), place, "has no readable type");
+    const Hdf5Id memory = checkHdf5(H5Tcreate(H5T_COMPOUND, static_cast<std::size_t>(count) * sizeof(double)), H5Tclose,
+                                    place, "cannot be read");
+    for (unsigned i = 0; i < static_cast<unsigned>(count); ++i) {
+        const H5T_class_t kind = H5Tget_member_class(type.get(), i);
+        char* const name = H5Tget_member_name(type.get(), i);
+        const bool inserted = name && (kind == H5T_INTEGER || kind == H5T_FLOAT) &&
+                              H5Tinsert(memory.get(), name, i * sizeof(double), H5T_NATIVE_DOUBLE) >= 0;
+        H5free_memory(name);
+        if (!inserted)
+            throw Error(place, "expected numbers, found a compound of something else");
+    }
+    if (elementsOf(attribute, place) != 1)
+        throw Error(place, "expected one element, found several");
+    std::vector<double> values(static_cast<std::size_t>(count));
+    checkHdf5(H5Aread(attribute.get(), memory.get(), values.data()), place, "cannot be read");
+    return values;
+}
+
 } // namespace
 
 bool looksLikeHdf5(const std::string& path)
@@ -140,7 +162,10 @@ std::vector<double> Hdf5File::numbers(const std::string& object, const std::stri
     const std::string place = placeOf(object, attribute);
     const Hdf5Id id = openAttribute(object, attribute);
     const Hdf5Id type = checkHdf5(H5Aget_type(id.get()), H5Tclose, place, "has no readable type");
-    if (const H5T_class_t kind = H5Tget_class(type.get()); kind != H5T_INTEGER && kind != H5T_FLOAT)
+    const H5T_class_t kind = H5Tget_class(type.get());
+    if (kind == H5T_COMPOUND)
+        return membersOf(id, type, place);
+    if (kind != H5T_INTEGER && kind != H5T_FLOAT)
         throw Error(place, "expected numbers, found an attribute of another type");
     std::vector<double> values(elementsOf(id, place));
     checkHdf5(H5Aread(id.get(), H5T_NATIVE_DOUBLE, values.data()), place, "cannot be read");
@@ -160,7 +185,7 @@ std::int64_t Hdf5File::integer(const std::string& object, const std::string& att
     return static_cast<std::int64_t>(values[0]);
 }
 
-std::vector<std::int64_t> Hdf5File::record(const std::string& object, const std::string& attribute,
+std::vector<std::int32_t> Hdf5File::record(const std::string& object, const std::string& attribute,
                                            std::span<const std::string> members) const
 {
     const Hdf5Call call;
@@ -170,7 +195,7 @@ std::vector<std::int64_t> Hdf5File::record(const std::string& object, const std:
     const Hdf5Id memory = recordType(type.get(), members, place);
     if (elementsOf(id, place) != 1)
         throw Error(place, "expected one element, found several");
-    std::vector<std::int64_t> values(members.size());
+    std::vector<std::int32_t> values(members.size());
     checkHdf5(H5Aread(id.get(), memory.get(), values.data()), place, "cannot be read");
     return values;
 }

@@ -32,13 +32,13 @@ public:
     Hdf5Data data(const std::string& dataset) const;
 
     bool hasAttribute(const std::string& object, const std::string& attribute) const;
-    /// The elements of a numeric attribute.
+    /// The elements of a numeric attribute; of one element that is a compound of numbers, its members.
     std::vector<double> numbers(const std::string& object, const std::string& attribute) const;
     /// A numeric attribute that has to be one whole number from `least` to `most`.
     std::int64_t integer(const std::string& object, const std::string& attribute, std::int64_t least,
                          std::int64_t most) const;
-    /// The named members, which are integers, of a compound attribute.
-    std::vector<std::int64_t> record(const std::string& object, const std::string& attribute,
+    /// The named members, which are integers, of a compound attribute, as Hdf5Data::records has them.
+    std::vector<std::int32_t> record(const std::string& object, const std::string& attribute,
                                      std::span<const std::string> members) const;
     /// A text, of fixed or variable length, without padding.
     std::string text(const std::string& object, const std::string& attribute) const;

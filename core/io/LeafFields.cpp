@@ -1,10 +1,12 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "brickwall/core/io/LeafFields.h"
 
+#include "brickwall/core/base/LargeArray.h"
 #include "brickwall/core/io/EmptyCells.h"
 #include "brickwall/core/io/FieldNames.h"
 #include "brickwall/core/io/InputFile.h"
 #include "brickwall/core/model/CheckModel.h"
+#include "brickwall/core/simd/NarrowRow.h"
 
 #include <fmt/format.h>
 
@@ -18,30 +20,6 @@
 namespace brickwall {
 namespace {
 
-/// Narrows a row to float; false if a value is not finite as one. Compares bits, as compilers turn that into lanes.
-bool narrow(const double* in, int count, float* out)
-{
-    constexpr std::uint32_t magnitude = 0x7fffffff, infinite = 0x7f800000;
-    std::uint32_t largest = 0;
-    for (int i = 0; i < count; ++i) {
-        out[i] = static_cast<float>(in[i]);
-        largest = std::max(largest, std::bit_cast<std::uint32_t>(out[i]) & magnitude);
-    }
-    return largest < infinite;
-}
-
-Range rangeInParallel(std::span<const float> values, const Executor& executor)
-{
-    Range range;
-    std::mutex mutex;
-    executor.forEach(values.size(), std::size_t(1) << 20, [&](std::size_t begin, std::size_t end) {
-        const Range part = rangeOf(values.subspan(begin, end - begin));
-        const std::lock_guard lock(mutex);
-        range.extend(part);
-    });
-    return range;
-}
-
 class FieldReader
 {
 public:
@@ -51,16 +29,18 @@ public:
     }
 
     /// In slabs of planes, which bounds memory and the time until Progress::check. `slab` is reused from job to job.
-    void readJob(const LeafJob& job, std::vector<double>& slab, std::vector<float>& values, Progress& progress) const
+    OrderedRange readJob(const LeafJob& job, std::vector<double>& slab, std::vector<float>& values,
+                         Progress& progress) const
     {
-        constexpr std::int64_t slabValues = 1 << 18;
+        OrderedRange range;
         const auto reader = open_(job);
         const Box3i box = reader->box();
         Box3i needed;
         for (std::size_t p = job.firstPiece; p < job.endPiece; ++p)
             needed.extend(plan_.pieces[p].cells);
         const std::int64_t planeValues = std::int64_t(box.extent().x) * box.extent().y;
-        const int planes = static_cast<int>(std::clamp<std::int64_t>(slabValues / planeValues, 1, needed.extent().z));
+        const int planes =
+            static_cast<int>(std::clamp<std::int64_t>(reader->slabValues() / planeValues, 1, needed.extent().z));
         for (int z = needed.lower.z; z < needed.upper.z; z += planes) {
             progress.check();
             Box3i slabBox = box;
@@ -69,17 +49,19 @@ public:
             reader->read(slabBox.lower.z, slabBox.upper.z, slab);
             for (std::size_t p = job.firstPiece; p < job.endPiece; ++p) {
                 const Box3i cells = plan_.pieces[p].cells.intersection(slabBox);
-                copy(cells, slab, slabBox, plan_.bricks[plan_.pieces[p].brick], values, *reader);
+                range.extend(copy(cells, slab, slabBox, plan_.bricks[plan_.pieces[p].brick], values, *reader));
                 progress.advance(static_cast<std::uint64_t>(volume(cells)));
             }
         }
+        return range;
     }
 
 private:
     /// The values of these cells, in the level's indices, which the slab and the brick hold all.
-    void copy(const Box3i& c, const std::vector<double>& slab, const Box3i& slabBox, const Brick& brick,
-              std::vector<float>& values, const BoxReader& reader) const
+    OrderedRange copy(const Box3i& c, const std::vector<double>& slab, const Box3i& slabBox, const Brick& brick,
+                      std::vector<float>& values, const BoxReader& reader) const
     {
+        OrderedRange range;
         const vec3i origin = brick.lower / brick.cellWidth();
         const vec3i size = slabBox.extent();
         for (int z = c.lower.z; z < c.upper.z; ++z)
@@ -89,9 +71,12 @@ private:
                 const std::uint64_t outRow = std::uint64_t(z - origin.z) * brick.size.y + (y - origin.y);
                 float* out = values.data() + brick.begin + outRow * brick.size.x + (c.lower.x - origin.x);
                 const int count = c.upper.x - c.lower.x;
-                if (!narrow(in, count, out) && nonFinite_ == NonFinite::error)
+                const OrderedRange row = narrowRow(in, count, out);
+                if (!row.finite() && nonFinite_ == NonFinite::error)
                     failAt(in, out, {c.lower.x, y, z}, reader);
+                range.extend(row);
             }
+        return range;
     }
 
     [[noreturn]] void failAt(const double* in, const float* out, vec3i cell, const BoxReader& reader) const
@@ -115,16 +100,21 @@ Field readLeafField(const LeafPlan& plan, const std::string& name, const OpenBox
     progress.begin(fmt::format("reading {}", name), plan.cellCount);
     Field field;
     field.name = name;
-    field.values.resize(plan.cellCount);
+    field.values = makeLargeArray(plan.cellCount, executor);
     const FieldReader reader(plan, name, open, nonFinite);
+    OrderedRange range;
+    std::mutex mutex;
     executor.forEach(plan.jobs.size(), 1, [&](std::size_t begin, std::size_t end) {
         std::vector<double> slab;
+        OrderedRange part;
         for (std::size_t j = begin; j < end; ++j) {
             progress.check();
-            reader.readJob(plan.jobs[j], slab, field.values, progress);
+            part.extend(reader.readJob(plan.jobs[j], slab, field.values, progress));
         }
+        const std::lock_guard lock(mutex);
+        range.extend(part);
     });
-    field.range = rangeInParallel(field.values, executor);
+    field.range = range.range();
     progress.end();
     return field;
 }
@@ -144,7 +134,7 @@ Model leafModel(LeafPlan plan, std::vector<Field> fields, const mat4d& worldFrom
         leaveOutNonFinite(model, place, executor, progress);
     for (const std::string& note : model.notes)
         progress.note(note);
-    checkModel(model, place);
+    checkLayout(model, place); // readLeafField has looked at every value
     return model;
 }
 

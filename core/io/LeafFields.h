@@ -23,6 +23,9 @@ public:
     virtual std::string place() const = 0;
     /// The box whose values `read` yields, in its level's indices: that of the job, and ghost cells if there are any.
     virtual Box3i box() const = 0;
+    /// How many values to ask for at a time, if planes have fewer. A cheap read is best done in what fits a core's
+    /// cache.
+    virtual std::int64_t slabValues() const { return std::int64_t(1) << 18; }
     /// The values of the planes zBegin <= z < zEnd of `box()`, x fastest. Throws Error.
     virtual void read(int zBegin, int zEnd, std::vector<double>& values) = 0;
 };

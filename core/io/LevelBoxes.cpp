@@ -24,40 +24,105 @@ double cellsIn(const Box3i& b)
     return (double(b.upper.x) - b.lower.x) * (double(b.upper.y) - b.lower.y) * (double(b.upper.z) - b.lower.z);
 }
 
-OverlappingLevel inVoxels(const BoxLevel& level)
+void checkIndices(const BoxLevel& level)
 {
     const int width = 1 << level.level;
-    OverlappingLevel out{level.place, level.level, {}};
-    out.boxes.reserve(level.boxes.size());
     for (std::size_t i = 0; i < level.boxes.size(); ++i) {
         const Box3i& b = level.boxes[i];
+        if (b.empty())
+            throw Error(level.place, fmt::format("box {} is empty", i));
         for (int axis = 0; axis < 3; ++axis)
             if (std::int64_t(b.lower[axis]) * width < -coordinateLimit ||
                 std::int64_t(b.upper[axis]) * width > coordinateLimit)
                 throw Error(level.place, fmt::format("box {}: expected indices within +-{}, found {} to {} along {}", i,
                                                      coordinateLimit / width, b.lower[axis],
                                                      std::int64_t(b.upper[axis]) - 1, "xyz"[axis]));
-        out.boxes.push_back({b.lower * width, b.upper * width});
     }
+}
+
+/// Of boxes whose indices have been checked.
+Box3i inVoxels(const Box3i& b, int level)
+{
+    return {b.lower * (1 << level), b.upper * (1 << level)};
+}
+
+OverlappingLevel inVoxels(const BoxLevel& level)
+{
+    OverlappingLevel out{level.place, level.level, {}};
+    out.boxes.reserve(level.boxes.size());
+    for (const Box3i& b : level.boxes)
+        out.boxes.push_back(inVoxels(b, level.level));
     return out;
 }
 
-void countCells(LeafPlan& plan, std::span<const BoxLevel> levels, const std::string& place)
+std::string text(const Box3i& b)
+{
+    return fmt::format("({},{},{}) to ({},{},{})", b.lower.x, b.lower.y, b.lower.z, b.upper.x - 1, b.upper.y - 1,
+                       b.upper.z - 1);
+}
+
+void checkCount(double cells, const std::string& place)
 {
     constexpr double limit = 4294967296.0;
-    double cells = 0.0, all = 0.0;
-    for (const LeafPiece& piece : plan.pieces)
-        cells += cellsIn(piece.cells);
     if (cells == 0.0)
         throw Error(place, "expected cells, found no boxes that have any");
     if (cells >= limit)
         throw Error(place, fmt::format("expected fewer than 2^32 cells that no finer level covers, found {}", cells));
+}
+
+double cellsIn(const BoxLevel& level)
+{
+    double cells = 0.0;
+    for (const Box3i& b : level.boxes)
+        cells += cellsIn(b);
+    return cells;
+}
+
+/// Each cell is shown or has finer ones in it, so that there will be as many. Said before a look at how boxes lie,
+/// which takes longer.
+void checkCount(const BoxLevel& level, const std::string& place)
+{
+    if (const double cells = cellsIn(level); cells > 0.0)
+        checkCount(cells, place);
+}
+
+void countCells(LeafPlan& plan, std::span<const BoxLevel> levels, const std::string& place)
+{
+    double cells = 0.0, all = 0.0;
+    for (const LeafPiece& piece : plan.pieces)
+        cells += cellsIn(piece.cells);
+    checkCount(cells, place);
     for (const BoxLevel& level : levels)
-        for (const Box3i& b : level.boxes)
-            all += cellsIn(b);
+        all += cellsIn(level);
     plan.cellCount = static_cast<std::uint64_t>(cells);
     plan.coveredCells = static_cast<std::uint64_t>(std::min(all - cells, 9e18));
 }
+
+/// The boxes of all levels in a row, without a copy of them.
+class BoxList
+{
+public:
+    explicit BoxList(std::span<const BoxLevel> levels) : levels_(levels)
+    {
+        for (const BoxLevel& level : levels)
+            ends_.push_back((ends_.empty() ? 0 : ends_.back()) + level.boxes.size());
+    }
+
+    std::size_t size() const { return ends_.empty() ? 0 : ends_.back(); }
+    /// In voxels.
+    LeafBox leaf(std::size_t i) const
+    {
+        const auto end = std::upper_bound(ends_.begin(), ends_.end(), i);
+        const std::size_t l = static_cast<std::size_t>(end - ends_.begin());
+        const std::size_t box = i - (l > 0 ? ends_[l - 1] : 0);
+        return {inVoxels(levels_[l].boxes[box], levels_[l].level), static_cast<std::uint32_t>(l),
+                static_cast<std::uint32_t>(box)};
+    }
+
+private:
+    std::span<const BoxLevel> levels_;
+    std::vector<std::size_t> ends_; ///< one behind each level's last box
+};
 
 /// Pieces, jobs and bricks for leaves in the order of level and source.
 LeafPlan planOf(std::span<const LeafBox> leaves, std::span<const BoxLevel> levels, const std::string& place,
@@ -102,10 +167,26 @@ std::vector<int> levelNumbers(std::span<const int> ratios, const std::string& pl
     return numbers;
 }
 
+void checkLevel(const BoxLevel& level)
+{
+    checkIndices(level);
+    checkCount(level, level.place);
+    if (const auto pair = findOverlap(level.boxes))
+        throw Error(level.place,
+                    fmt::format("boxes {} and {} of one level overlap: {} and {}", pair->first, pair->second,
+                                text(level.boxes[pair->first]), text(level.boxes[pair->second])));
+}
+
 LeafPlan planLeaves(std::span<const BoxLevel> levels, const std::string& place, const Executor& executor,
                     Progress& progress)
 {
     progress.begin("leaving out covered cells", 0);
+    for (const BoxLevel& level : levels) {
+        checkIndices(level);
+        checkCount(level, place);
+    }
+    for (const BoxLevel& level : levels)
+        checkLevel(level);
     std::vector<OverlappingLevel> inFinest;
     for (const BoxLevel& level : levels)
         inFinest.push_back(inVoxels(level));
@@ -116,22 +197,21 @@ LeafPlan planLeaves(std::span<const BoxLevel> levels, const std::string& place, 
 
 LeafPlan planDisjoint(std::span<const BoxLevel> levels, const std::string& place, Progress& progress)
 {
-    std::vector<LeafBox> leaves;
-    std::vector<Box3i> boxes;
-    for (std::size_t l = 0; l < levels.size(); ++l) {
-        const OverlappingLevel level = inVoxels(levels[l]);
-        for (std::size_t i = 0; i < level.boxes.size(); ++i) {
-            if (level.boxes[i].empty())
-                throw Error(level.place, fmt::format("box {} is empty", i));
-            leaves.push_back({level.boxes[i], static_cast<std::uint32_t>(l), static_cast<std::uint32_t>(i)});
-            boxes.push_back(level.boxes[i]);
-        }
-    }
-    if (const auto pair = findOverlap(boxes)) {
-        const LeafBox &a = leaves[pair->first], &b = leaves[pair->second];
+    for (const BoxLevel& level : levels)
+        checkIndices(level);
+    const BoxList all(levels);
+    if (const auto pair = findOverlap(all.size(), [&](std::size_t i) { return all.leaf(i).box; })) {
+        const LeafBox a = all.leaf(pair->first), b = all.leaf(pair->second);
         throw Error(place, fmt::format("expected leaves that do not overlap, but box {} of {} and box {} of {} do",
                                        a.source, levels[a.levelIndex].place, b.source, levels[b.levelIndex].place));
     }
+    double cells = 0.0;
+    for (const BoxLevel& level : levels)
+        cells += cellsIn(level);
+    checkCount(cells, place);
+    std::vector<LeafBox> leaves;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        leaves.push_back(all.leaf(i));
     return planOf(leaves, levels, place, progress);
 }
 

@@ -52,10 +52,14 @@ struct LeafPlan
 /// more than maxLevel levels of ours.
 std::vector<int> levelNumbers(std::span<const int> ratios, const std::string& place);
 
+/// Throws Error, naming the level's place and the box's index, for a box that is empty or outside coordinateLimit and
+/// for two that overlap, and for 2^32 cells. What readers ask first, as a list of boxes that means harm may be long.
+void checkLevel(const BoxLevel& level);
+
 /// The plan for levels that keep coarse data under fine ones, listed from coarse to fine: what finer levels cover is
 /// left out, what is left is merged into bricks. A level may have no boxes. Throws Error as leafBoxes does, for indices
 /// outside coordinateLimit, and, at `place`, for no cells or 2^32 of them. Memory: the boxes and bricks, nothing per
-/// cell.
+/// cell, and for boxes that are refused less than 50 bytes each.
 LeafPlan planLeaves(std::span<const BoxLevel> levels, const std::string& place, const Executor& executor,
                     Progress& progress);
 

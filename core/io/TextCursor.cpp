@@ -5,11 +5,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <span>
+#include <utility>
 
 namespace brickwall {
 namespace {
+
+constexpr std::size_t pieceBytes = 1 << 20;
+constexpr std::size_t numberBytes = 1 << 12; // more than any number has
 
 bool blank(char c)
 {
@@ -27,6 +33,42 @@ std::string_view trimmed(std::string_view s)
 
 } // namespace
 
+TextCursor::TextCursor(std::string place, std::string text)
+    : place_(std::move(place)), text_(std::move(text)), read_(text_.size()), size_(text_.size())
+{
+}
+
+TextCursor::TextCursor(const std::string& file)
+    : place_(file), file_(std::make_shared<const InputFile>(file)), size_(file_->size())
+{
+}
+
+void TextCursor::provide(std::size_t bytes)
+{
+    while (text_.size() - at_ < bytes && !atLastPiece()) {
+        text_.erase(0, std::exchange(at_, 0));
+        const std::size_t before = text_.size();
+        text_.resize(before + std::min<std::uint64_t>(pieceBytes, size_ - read_));
+        file_->readAt(read_, std::span<char>(text_).subspan(before), "its text");
+        read_ += text_.size() - before;
+    }
+}
+
+template <class Stop>
+std::size_t TextCursor::findEnd(const Stop& stop, std::string_view what)
+{
+    std::size_t length = 0;
+    while (true) {
+        while (at_ + length < text_.size() && !stop(text_[at_ + length]))
+            ++length;
+        if (at_ + length < text_.size() || atLastPiece())
+            return at_ + length;
+        if (length > pieceBytes)
+            fail(fmt::format("{} of at most {} bytes", what, pieceBytes));
+        provide(length + 1);
+    }
+}
+
 std::string TextCursor::where()
 {
     skipBlanks();
@@ -35,8 +77,12 @@ std::string TextCursor::where()
 
 void TextCursor::skipBlanks()
 {
-    for (; at_ < text_.size() && blank(text_[at_]); ++at_)
-        line_ += text_[at_] == '\n';
+    do {
+        if (text_.size() - at_ < numberBytes)
+            provide(numberBytes);
+        for (; at_ < text_.size() && blank(text_[at_]); ++at_)
+            line_ += text_[at_] == '\n';
+    } while (text_.size() - at_ < numberBytes && !atLastPiece());
 }
 
 bool TextCursor::atEnd()
@@ -48,7 +94,9 @@ bool TextCursor::atEnd()
 bool TextCursor::nextIs(std::string_view start)
 {
     skipBlanks();
-    return std::string_view(text_).substr(at_, start.size()) == start;
+    // Most are one character, for which a comparison of strings takes long.
+    return at_ < text_.size() && text_[at_] == start.front() &&
+           (start.size() == 1 || std::string_view(text_).substr(at_, start.size()) == start);
 }
 
 void TextCursor::expect(std::string_view start, std::string_view what)
@@ -60,23 +108,23 @@ void TextCursor::expect(std::string_view start, std::string_view what)
 
 std::string TextCursor::line(std::string_view what)
 {
+    const std::size_t end = findEnd([](char c) { return c == '\n'; }, what);
     if (at_ == text_.size())
         fail(what);
-    const std::size_t end = text_.find('\n', at_);
-    const std::string_view rest = std::string_view(text_).substr(at_, end == std::string::npos ? end : end - at_);
-    at_ = end == std::string::npos ? text_.size() : end + 1;
-    line_ += end != std::string::npos;
-    return std::string(trimmed(rest));
+    std::string rest(trimmed(std::string_view(text_).substr(at_, end - at_)));
+    line_ += end < text_.size();
+    at_ = std::min(end + 1, text_.size());
+    return rest;
 }
 
 std::string TextCursor::word(std::string_view what)
 {
     if (atEnd())
         fail(what);
-    const std::size_t begin = at_;
-    while (at_ < text_.size() && !blank(text_[at_]))
-        ++at_;
-    return text_.substr(begin, at_ - begin);
+    const std::size_t end = findEnd(blank, what);
+    std::string found = text_.substr(at_, end - at_);
+    at_ = end;
+    return found;
 }
 
 std::int64_t TextCursor::integer(std::string_view what, std::int64_t lowest, std::int64_t highest)
@@ -85,7 +133,7 @@ std::int64_t TextCursor::integer(std::string_view what, std::int64_t lowest, std
     std::int64_t value = 0;
     const char* const end = text_.data() + text_.size();
     const auto [stop, error] = std::from_chars(text_.data() + at_, end, value);
-    if (error != std::errc() || value < lowest || value > highest)
+    if (error != std::errc() || value < lowest || value > highest || (stop == end && !atLastPiece()))
         fail(fmt::format("{} from {} to {}", what, lowest, highest));
     at_ = static_cast<std::size_t>(stop - text_.data());
     return value;
@@ -97,7 +145,7 @@ double TextCursor::number(std::string_view what)
     double value = 0;
     const char* const end = text_.data() + text_.size();
     const auto [stop, error] = std::from_chars(text_.data() + at_, end, value);
-    if (error != std::errc() || !std::isfinite(value))
+    if (error != std::errc() || !std::isfinite(value) || (stop == end && !atLastPiece()))
         fail(fmt::format("{}, a finite number", what));
     at_ = static_cast<std::size_t>(stop - text_.data());
     return value;

@@ -1,16 +1,16 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "brickwall/core/base/Error.h"
 #include "brickwall/core/io/DataName.h"
-#include "brickwall/core/io/FieldNames.h"
 #include "brickwall/core/io/Formats.h"
+#include "brickwall/core/io/Hdf5DataSet.h"
 #include "brickwall/core/io/InputFile.h"
-#include "brickwall/core/io/LeafFields.h"
 #include "brickwall/core/io/VtkHdfLevels.h"
 
 #include <fmt/format.h>
 
 #include <charconv>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 namespace brickwall {
@@ -56,56 +56,47 @@ private:
     const ArrayField& field_;
 };
 
-class VtkHdfDataSet : public DataSet
+class VtkHdfDataSet : public Hdf5DataSet
 {
 public:
     VtkHdfDataSet(Hdf5File file, std::vector<ArrayField> fields, std::int64_t step)
-        : file_(std::move(file)), fields_(std::move(fields)), names_(namesOf(fields_)), step_(step)
+        : Hdf5DataSet(std::move(file), namesOf(fields)), fields_(std::move(fields)), step_(step)
     {
     }
 
     std::string format() const override { return "VTKHDF overlapping AMR"; }
-    std::vector<std::string> fieldNames() const override { return names_; }
-    std::string defaultField() const override { return usualField(names_); }
 
     Model load(std::span<const std::string> fields, const Executor& executor, Progress& progress,
                NonFinite nonFinite) const override
     {
-        const std::string& place = file_.path();
-        const auto wanted = fieldIndices(names_, fields, place);
-        const VtkHdfLevels levels = readVtkHdfLevels(file_, step_);
-        LeafPlan plan = planLeaves(levels.boxes, place, executor, progress);
-        std::vector<Field> read;
-        for (const std::size_t i : wanted)
-            read.push_back(readField(fields_[i], levels, plan, executor, progress, nonFinite));
-        Model model =
-            leafModel(std::move(plan), std::move(read), levels.worldFromVoxel, place, nonFinite, executor, progress);
-        if (const std::int64_t count = vtkHdfStepCount(file_); count > 1) {
+        Model model = Hdf5DataSet::load(fields, executor, progress, nonFinite);
+        if (const std::int64_t count = vtkHdfStepCount(file()); count > 1) {
             model.notes.push_back(fmt::format("{}: step {} of 0 to {} is read, time {}; FILE:step=N chooses another",
-                                              place, step_, count - 1, vtkHdfTime(file_, step_)));
+                                              file().path(), step_, count - 1, vtkHdfTime(file(), step_)));
             progress.note(model.notes.back());
         }
         return model;
     }
 
 private:
-    Field readField(const ArrayField& field, const VtkHdfLevels& levels, const LeafPlan& plan, const Executor& executor,
-                    Progress& progress, NonFinite nonFinite) const
+    Layout readLayout(const Executor& executor, Progress& progress) const override
     {
-        std::vector<VtkHdfArray> arrays;
-        for (std::size_t level = 0; level < levels.boxes.size(); ++level)
-            arrays.push_back(openVtkHdfArray(file_, levels, level, field, step_));
-        const auto open = [&](const LeafJob& job) {
-            const Box3i& box = levels.boxes[job.levelIndex].boxes[job.box];
-            const VtkHdfArray& array = arrays[job.levelIndex];
-            return std::make_unique<VtkHdfBox>(array, array.offsets[job.box], box, field);
+        const auto levels = std::make_shared<const VtkHdfLevels>(readVtkHdfLevels(file(), step_));
+        const auto open = [this, levels](std::size_t index) -> OpenBox {
+            const ArrayField& field = fields_[index];
+            const auto arrays = std::make_shared<std::vector<VtkHdfArray>>();
+            for (std::size_t level = 0; level < levels->boxes.size(); ++level)
+                arrays->push_back(openVtkHdfArray(file(), *levels, level, field, step_));
+            return [&field, levels, arrays](const LeafJob& job) {
+                const Box3i& box = levels->boxes[job.levelIndex].boxes[job.box];
+                const VtkHdfArray& array = (*arrays)[job.levelIndex];
+                return std::make_unique<VtkHdfBox>(array, array.offsets[job.box], box, field);
+            };
         };
-        return readLeafField(plan, field.name, open, nonFinite, executor, progress);
+        return {planLeaves(levels->boxes, file().path(), executor, progress), levels->worldFromVoxel, open};
     }
 
-    Hdf5File file_;
     std::vector<ArrayField> fields_;
-    std::vector<std::string> names_;
     std::int64_t step_;
 };
 

@@ -12,6 +12,7 @@
 namespace brickwall {
 namespace {
 
+constexpr std::uint64_t boxesAtATime = 1 << 13; // as a list that means harm may be long
 const std::string root = "VTKHDF", steps = "VTKHDF/Steps";
 
 std::string groupOf(std::size_t level)
@@ -61,6 +62,20 @@ std::uint64_t stepValue(const Hdf5File& file, const std::string& list, const std
 }
 
 /// AMRBox has the lowest and highest index of each box along x, along y, along z.
+Box3i boxOf(const double* n, std::size_t index, const std::string& place)
+{
+    const vec3d low(n[0], n[2], n[4]), high(n[1], n[3], n[5]);
+    if (high.z < low.z && high.x >= low.x && high.y >= low.y)
+        throw Error(place,
+                    fmt::format("box {}: expected data of three dimensions, found a box without cells along z", index));
+    for (int axis = 0; axis < 3; ++axis)
+        if (!(low[axis] <= high[axis] && low[axis] >= -coordinateLimit && high[axis] < coordinateLimit))
+            throw Error(place, fmt::format("box {}: expected indices from low to high within +-{}, found {} to {} "
+                                           "along {}",
+                                           index, coordinateLimit, low[axis], high[axis], "xyz"[axis]));
+    return {vec3i(low), vec3i(high) + 1};
+}
+
 std::vector<Box3i> readBoxes(const Hdf5File& file, std::size_t level, std::int64_t step)
 {
     const Hdf5Data data = file.data(groupOf(level) + "/AMRBox");
@@ -72,23 +87,14 @@ std::vector<Box3i> readBoxes(const Hdf5File& file, std::size_t level, std::int64
         first = stepValue(file, group + "/AMRBoxOffsets", group + "/AMRBoxOffset", step);
         count = stepValue(file, group + "/NumberOfAMRBoxes", group + "/NumberOfAMRBox", step);
     }
-    const std::uint64_t start[]{first, 0}, extent[]{count, 6};
     std::vector<double> numbers;
-    data.read(start, extent, numbers);
     std::vector<Box3i> boxes;
-    for (std::size_t i = 0; i + 6 <= numbers.size(); i += 6) {
-        const double* n = numbers.data() + i;
-        const vec3d low(n[0], n[2], n[4]), high(n[1], n[3], n[5]);
-        if (high.z < low.z && high.x >= low.x && high.y >= low.y)
-            throw Error(data.place(), fmt::format("box {}: expected data of three dimensions, found a box without "
-                                                  "cells along z",
-                                                  i / 6));
-        for (int axis = 0; axis < 3; ++axis)
-            if (!(low[axis] <= high[axis] && low[axis] >= -coordinateLimit && high[axis] < coordinateLimit))
-                throw Error(data.place(), fmt::format("box {}: expected indices from low to high within +-{}, found {} "
-                                                      "to {} along {}",
-                                                      i / 6, coordinateLimit, low[axis], high[axis], "xyz"[axis]));
-        boxes.push_back({vec3i(low), vec3i(high) + 1});
+    while (boxes.size() < count) {
+        const std::uint64_t start[]{first + boxes.size(), 0};
+        const std::uint64_t extent[]{std::min<std::uint64_t>(boxesAtATime, count - boxes.size()), 6};
+        data.read(start, extent, numbers);
+        for (const double* n = numbers.data(); n < numbers.data() + numbers.size(); n += 6)
+            boxes.push_back(boxOf(n, boxes.size(), data.place()));
     }
     return boxes;
 }

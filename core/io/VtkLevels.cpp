@@ -15,6 +15,9 @@
 namespace brickwall {
 namespace {
 
+/// Some 130 000 pieces, which are files each. Parsed XML takes four times its text.
+constexpr std::uint64_t listLimit = std::uint64_t(8) << 20;
+
 /// Reading stays below the folder of the data set: what is outside is none of its pieces.
 std::string pieceFile(const std::string& list, const std::string& name)
 {
@@ -82,6 +85,7 @@ void readBlocks(const VtkXml& xml, const std::vector<pugi::xml_node>& nodes, Vtk
             levels.boxes[l].boxes.push_back(blockBox(xml, node, l, levels.files[l].size()));
             levels.files[l].push_back(pieceFile(xml.path(), file));
         }
+        checkLevel(levels.boxes[l]);
     }
 }
 
@@ -110,7 +114,7 @@ void checkPlace(const VtkXml& xml, const pugi::xml_node& level, const VtkPiece& 
 
 VtkLevels readVtkLevels(const std::string& path)
 {
-    const VtkXml xml(path);
+    const VtkXml xml(path, listLimit);
     const std::string plane = xml.content().attribute("grid_description").as_string("XYZ");
     if (plane != "XYZ")
         throw Error(path, fmt::format("expected data of three dimensions (XYZ), found a grid_description '{}'", plane));

@@ -26,7 +26,7 @@ std::string attributeIn(std::string_view tag, std::string_view name)
 
 } // namespace
 
-VtkXml::VtkXml(const std::string& path) : file_(path), text_(head())
+VtkXml::VtkXml(const std::string& path, std::uint64_t limit) : file_(path), text_(head(limit))
 {
     const auto result = document_.load_buffer_inplace(text_.data(), text_.size());
     if (!result)
@@ -36,9 +36,9 @@ VtkXml::VtkXml(const std::string& path) : file_(path), text_(head())
         throw Error(path, "expected a VTK XML file with an element VTKFile");
 }
 
-std::string VtkXml::head()
+std::string VtkXml::head(std::uint64_t limit)
 {
-    constexpr std::uint64_t limit = std::uint64_t(1) << 30, step = 1 << 20;
+    constexpr std::uint64_t step = 1 << 20;
     std::string text;
     while (text.size() < file_.size()) {
         const std::uint64_t begin = text.size();

@@ -15,8 +15,8 @@ namespace brickwall {
 class VtkXml
 {
 public:
-    /// Throws Error for what is no VTK XML file, and for more than 1 GiB of it without the appended data.
-    explicit VtkXml(const std::string& path);
+    /// Throws Error for what is no VTK XML file, and for more than `limit` bytes of it without the appended data.
+    explicit VtkXml(const std::string& path, std::uint64_t limit = std::uint64_t(1) << 30);
 
     const InputFile& file() const { return file_; }
     const std::string& path() const { return file_.path(); }
@@ -36,7 +36,7 @@ public:
 
 private:
     /// The text in front of the appended data.
-    std::string head();
+    std::string head(std::uint64_t limit);
     void findAppended(std::uint64_t element);
 
     InputFile file_;

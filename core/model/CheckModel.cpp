@@ -102,20 +102,25 @@ void checkBricks(std::span<const Brick> bricks, std::string_view place)
     checkDisjoint(bricks, place);
 }
 
-void checkModel(const Model& model, std::string_view place)
+void checkLayout(const Model& model, std::string_view place)
 {
     checkBricks(model.bricks, place);
     const std::uint64_t cells = model.bricks.empty() ? 0 : model.bricks.back().begin + model.bricks.back().cellCount();
     if (model.cellCount != cells)
         throw Error(place,
                     fmt::format("expected a cell count of {} as the bricks have, found {}", cells, model.cellCount));
-    for (const Field& field : model.fields) {
+    for (const Field& field : model.fields)
         if (field.values.size() != cells)
             throw Error(place, fmt::format("expected {} values in field '{}', one per cell, found {}", cells,
                                            field.name, field.values.size()));
-        checkValues(field, model.bricks, place);
-    }
     checkTransform(model.worldFromVoxel, place);
+}
+
+void checkModel(const Model& model, std::string_view place)
+{
+    checkLayout(model, place);
+    for (const Field& field : model.fields)
+        checkValues(field, model.bricks, place);
 }
 
 } // namespace brickwall

@@ -11,16 +11,6 @@
 namespace brickwall {
 namespace {
 
-/// A box is a brick of unit cells.
-std::vector<Brick> asBricks(std::span<const Box3i> boxes)
-{
-    std::vector<Brick> bricks;
-    bricks.reserve(boxes.size());
-    for (const Box3i& b : boxes)
-        bricks.push_back({b.lower, b.extent(), 0, 0});
-    return bricks;
-}
-
 struct Cut
 {
     int axis = 0;
@@ -209,7 +199,7 @@ bool areDisjoint(std::span<const OverlappingLevel> levels)
 std::vector<LeafBox> subtractBoxes(std::span<const Box3i> boxes, std::span<const Box3i> holes, const Executor& executor,
                                    const Progress& progress)
 {
-    const BrickIndex index(asBricks(holes));
+    const BrickIndex index(holes);
     std::vector<std::vector<Box3i>> pieces(boxes.size());
     executor.forEach(boxes.size(), 16, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -234,7 +224,7 @@ std::vector<LeafBox> subtractBoxes(std::span<const Box3i> boxes, std::span<const
 
 std::optional<std::pair<std::size_t, std::size_t>> findOverlap(std::span<const Box3i> boxes)
 {
-    return findOverlap(asBricks(boxes));
+    return findOverlap(boxes.size(), [&](std::size_t i) { return boxes[i]; });
 }
 
 std::vector<LeafBox> leafBoxes(std::span<const OverlappingLevel> levels, const Executor& executor,
@@ -243,6 +233,9 @@ std::vector<LeafBox> leafBoxes(std::span<const OverlappingLevel> levels, const E
     for (const OverlappingLevel& level : levels)
         checkBoxes(level);
     const bool disjoint = areDisjoint(levels);
+    if (!disjoint)
+        for (const OverlappingLevel& level : levels)
+            checkDisjoint(level);
     std::vector<std::vector<LeafBox>> perLevel(levels.size());
     std::vector<Box3i> finer; // all that is finer than the level at hand, and not covered by the one between
     for (std::size_t k = levels.size(); k-- > 0;) {
@@ -256,7 +249,6 @@ std::vector<LeafBox> leafBoxes(std::span<const OverlappingLevel> levels, const E
             leaf.levelIndex = static_cast<std::uint32_t>(k);
         if (coarser && !disjoint)
             finer = holesBelow(level, finer, *coarser, executor, progress);
-        checkDisjoint(level);
     }
     std::vector<LeafBox> out;
     for (const auto& leaves : perLevel)

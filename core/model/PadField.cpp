@@ -1,4 +1,5 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#include "brickwall/core/base/LargeArray.h"
 #include "brickwall/core/model/BrickIndex.h"
 #include "brickwall/core/model/Half.h"
 #include "brickwall/core/model/Regions.h"
@@ -198,7 +199,7 @@ PaddedField padField(const Field& field, std::span<const Brick> bricks, const Re
 {
     PaddedField padded;
     padded.range = field.range;
-    padded.values.resize(tree.paddedCellCount);
+    padded.values = makeLargeArray(tree.paddedCellCount, executor);
     progress.begin("padding bricks", bricks.size());
     const BrickIndex index(bricks);
     executor.forEach(bricks.size(), 16, [&](std::size_t begin, std::size_t end) {

@@ -1,6 +1,6 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "brickwall/tests/common/EditFile.h"
-#include "brickwall/tests/io/IoTest.h"
+#include "brickwall/tests/io/LevelCells.h"
 #include "brickwall/tests/oracles/WriteAmrex.h"
 
 #include <cmath>
@@ -11,12 +11,6 @@ namespace brickwall {
 namespace {
 
 using namespace oracles;
-
-/// Exact in float, different for every level, component and cell.
-double numbered(int level, int component, const vec3i& c)
-{
-    return level * 1e6 + component * 1e5 + c.x + 40 * c.y + 1600 * c.z;
-}
 
 /// Three levels in two components, from ratios 2 and 4, with odd origins and anisotropic cells.
 Plotfile3 threeLevels()
@@ -34,35 +28,9 @@ Plotfile3 threeLevels()
     return p;
 }
 
-bool covered(const Plotfile3& p, std::size_t level, const vec3i& cell)
-{
-    if (level + 1 == p.boxes.size())
-        return false;
-    const vec3i fine = cell * p.ratios[level];
-    for (const Box3i& b : p.boxes[level + 1])
-        if (b.contains(fine))
-            return true;
-    return false;
-}
-
-/// What a model of this plotfile has to hold, in float.
 CellValues expected(const Plotfile3& p, int component)
 {
-    CellValues cells;
-    std::vector<int> width(p.boxes.size(), 1), shift(p.boxes.size(), 0);
-    for (std::size_t l = p.boxes.size() - 1; l-- > 0;) {
-        width[l] = width[l + 1] * p.ratios[l];
-        shift[l] = shift[l + 1] + (p.ratios[l] == 4 ? 2 : 1);
-    }
-    for (std::size_t l = 0; l < p.boxes.size(); ++l)
-        for (const Box3i& b : p.boxes[l])
-            for (int z = b.lower.z; z < b.upper.z; ++z)
-                for (int y = b.lower.y; y < b.upper.y; ++y)
-                    for (int x = b.lower.x; x < b.upper.x; ++x)
-                        if (const vec3i c(x, y, z); !covered(p, l, c))
-                            cells[{x * width[l], y * width[l], z * width[l], shift[l]}] =
-                                static_cast<float>(p.value(static_cast<int>(l), component, c));
-    return cells;
+    return leafCells(p.boxes, p.ratios, [&](int level, const vec3i& cell) { return p.value(level, component, cell); });
 }
 
 class Amrex : public testing::Test
@@ -286,6 +254,24 @@ TEST_F(Amrex, MissingFilesAreNamed)
     EXPECT_TRUE(says(loadError(folder_), {"Level_2/Cell_D_00000", "cannot be opened"}));
 }
 
+TEST_F(Amrex, ListsOfManyBoxesAreReadPieceByPiece)
+{
+    Plotfile3 p;
+    p.domain = {{0, 0, 0}, {32, 32, 20}};
+    p.boxes = {{}};
+    for (int i = 0; i < 32 * 32 * 20; ++i)
+        p.boxes[0].push_back({vec3i(i % 32, i / 32 % 32, i / 1024), vec3i(i % 32, i / 32 % 32, i / 1024) + 1});
+    p.value = numbered;
+    p.boxesPerFile = 5000;
+    write(p);
+    EXPECT_GT(std::filesystem::file_size(folder_ + "/Level_0/Cell_H"), 1u << 20); // more than one piece
+    EXPECT_EQ(cellValues(loadData(folder_)), expected(p, 0));
+    edit("Level_0/Cell_H", "Cell_D_00004 0\n", "Cell_D_00004 x\n");
+    EXPECT_TRUE(says(loadError(folder_), {"Level_0/Cell_H:40488", "an offset in a data file", "'x'"}));
+    std::ofstream(folder_ + "/Level_0/Cell_H") << "1\n1\n1\n0\n(1 " << std::string(3 << 20, '7');
+    EXPECT_TRUE(says(loadError(folder_), {"Level_0/Cell_H:5", "the hash of the boxes", "at most 1048576 bytes"}));
+}
+
 TEST_F(Amrex, AbsurdCountsAreRefusedBeforeMemoryIsAsked)
 {
     EXPECT_TRUE(says(errorAfter("Header", "HyperCLaw-V1.1\n2\n", "HyperCLaw-V1.1\n2000000000\n"),
@@ -354,9 +340,10 @@ TEST_F(Amrex, OtherNumberFormatsAreRefused)
 TEST_F(Amrex, OverlapsAndMisalignmentNameTheBoxes)
 {
     Plotfile3 p = threeLevels();
-    p.boxes[1][1].lower.z = 7;
+    p.boxes[1][1].upper.z = 11;
     write(p);
     EXPECT_TRUE(says(loadError(folder_), {"Level_1/Cell_H", "box 1", "misaligned"}));
+    p = threeLevels();
     p.boxes[1][1].lower.z = 6;
     write(p);
     EXPECT_TRUE(says(loadError(folder_), {"Level_1/Cell_H", "boxes 0 and 1", "overlap"}));

@@ -125,6 +125,52 @@ TEST_F(Chombo, CellZeroHasItsCornerAtTheOrigin)
     EXPECT_EQ(worldBounds(model).upper, vec3d(2, 5, 4));
 }
 
+TEST_F(Chombo, PlutoSaysWhereTheDomainBeginsAndHowWideCellsAre)
+{
+    Chombo3 c = threeLevels();
+    c.plutoOrigin = {-10, 20, 0.25};
+    c.plutoStretch = {2, 0.5};
+    writeChombo(path_, c);
+    const Model model = loadData(path_, {"density"});
+    EXPECT_EQ(cellValues(model), expected(c, 0));
+    EXPECT_EQ(worldBounds(model).lower, vec3d(-10 - 2, 20 + 2 * 1, 0.25));
+    EXPECT_EQ(worldBounds(model).upper, vec3d(-10 + 2, 20 + 2 * 5, 0.25 + 0.5 * 4));
+}
+
+TEST_F(Chombo, PlutoInOtherCoordinatesIsRefused)
+{
+    Chombo3 c = threeLevels();
+    c.plutoOrigin = {1, 0, 0};
+    c.plutoGeometry = 4;
+    writeChombo(path_, c);
+    EXPECT_TRUE(says(loadError(path_), {"'geometry' of /level_0", "Cartesian", "found 4"}));
+    c.plutoGeometry = 1;
+    c.plutoStretch = {1, -1};
+    writeChombo(path_, c);
+    EXPECT_TRUE(says(loadError(path_), {"'g_x3stretch' of /level_0", "positive", "-1"}));
+}
+
+TEST_F(Chombo, TheLowerCornerMayBeAnAttribute)
+{
+    for (const bool compound : {false, true}) {
+        writeChombo(path_, threeLevels());
+        {
+            Hdf5Writer file(path_, Hdf5Writer::Mode::edit);
+            if (compound)
+                file.recordAttribute("", "prob_lo", {"x", "y", "z"}, {-10, 20, 30});
+            else
+                file.attribute("", "prob_lo", {-10, 20, 30});
+        }
+        const Model model = loadData(path_, {"density"});
+        EXPECT_EQ(worldBounds(model).lower, vec3d(-12, 21, 30));
+        EXPECT_EQ(worldBounds(model).upper, vec3d(-8, 25, 34));
+    }
+    EXPECT_TRUE(says(errorAfter([](Hdf5Writer& file) {
+                         file.attribute("", "prob_lo", {1, 2});
+                     }),
+                     {"'prob_lo'", "three numbers", "1, 2"}));
+}
+
 TEST_F(Chombo, ThreadsDoNotMatter)
 {
     writeChombo(path_, threeLevels());

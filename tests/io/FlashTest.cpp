@@ -107,6 +107,52 @@ TEST_F(Flash, FacesInFloatAreGoodEnoughForDeepLevels)
     EXPECT_EQ(cellValues(loadData(path_)), expected(f, 0));
 }
 
+/// Refined around one point of a domain that is wide against its deepest blocks, down to `levels`.
+Flash3 deep(int levels)
+{
+    Flash3 f;
+    f.lower = vec3d(-1e18 / 3);
+    f.upper = vec3d(2e18 / 3);
+    f.blockCells = {2, 2, 2};
+    f.refined = [levels](int level, const vec3i& block) {
+        const vec3i point(0.9 * (1 << (level - 1)), 0.7 * (1 << (level - 1)), 0.99 * (1 << (level - 1)));
+        return level < levels && block == point;
+    };
+    f.value = numbered;
+    return f;
+}
+
+TEST_F(Flash, FacesThatFloatCannotTellApartFollowFromTheTree)
+{
+    Flash3 f = deep(25);
+    for (const bool floats : {true, false}) {
+        f.floats = floats;
+        f.tree = true;
+        writeFlash(path_, f);
+        EXPECT_EQ(cellValues(loadData(path_)), expected(f, 0)) << (floats ? "float" : "double");
+    }
+}
+
+TEST_F(Flash, WithoutATreeFacesThatFloatCannotTellApartAreNamed)
+{
+    writeFlash(path_, deep(25));
+    EXPECT_TRUE(says(loadError(path_), {"/bounding box", "refine level", "whole number of them"}));
+}
+
+TEST_F(Flash, ATreeThatContradictsTheFacesIsRefused)
+{
+    Flash3 f = deep(25);
+    f.tree = true;
+    writeFlash(path_, f);
+    {
+        Hdf5Writer file(path_, Hdf5Writer::Mode::edit);
+        const std::size_t count = flashBlocks(f).size();
+        file.remove("gid");
+        file.numbers("gid", {count, 15}, std::vector<double>(count * 15, 2.0), Hdf5Number::int32);
+    }
+    EXPECT_TRUE(says(loadError(path_), {"/bounding box", "refine level", "whole number of them"}));
+}
+
 TEST_F(Flash, ThreadsDoNotMatter)
 {
     writeFlash(path_, oblong());

@@ -121,9 +121,9 @@ TEST_F(Hdf5, TypesAreChecked)
     const Hdf5File file(path_);
     EXPECT_EQ(file.data("t").texts(), (std::vector<std::string>{"ab", "c"}));
     const std::vector<std::string> yx{"y", "x"}, z{"z"};
-    EXPECT_EQ(file.data("r").records(yx), (std::vector<std::int64_t>{2, 1, 4, 3}));
-    EXPECT_TRUE(says(errorOf([&] { file.data("r").records(z); }), {"/r", "integers z"}));
-    EXPECT_TRUE(says(errorOf([&] { file.data("t").records(z); }), {"/t", "integers z"}));
+    EXPECT_EQ(file.data("r").records(yx, 0, 2), (std::vector<std::int32_t>{2, 1, 4, 3}));
+    EXPECT_TRUE(says(errorOf([&] { file.data("r").records(z, 0, 2); }), {"/r", "integers z"}));
+    EXPECT_TRUE(says(errorOf([&] { file.data("t").records(z, 0, 1); }), {"/t", "integers z"}));
     EXPECT_TRUE(says(errorOf([&] { file.data("t").numbers(); }), {"/t", "expected numbers"}));
     EXPECT_TRUE(says(errorOf([&] { file.data("r").texts(); }), {"/r", "texts of fixed length"}));
     EXPECT_TRUE(says(errorOf([&] { file.data("r").texts("name"); }), {"/r", "'name'"}));

@@ -1,6 +1,6 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "brickwall/tests/common/EditFile.h"
-#include "brickwall/tests/io/IoTest.h"
+#include "brickwall/tests/io/LevelCells.h"
 #include "brickwall/tests/oracles/WriteExa.h"
 #include "brickwall/tests/oracles/WriteVtk.h"
 
@@ -13,12 +13,6 @@ namespace brickwall {
 namespace {
 
 using namespace oracles;
-
-/// Exact in float and int32, different for every level, component and cell.
-double numbered(int level, int component, const vec3i& c)
-{
-    return level * 1e6 + component * 1e5 + c.x + 40 * c.y + 1600 * c.z;
-}
 
 /// Small enough for any type of numbers.
 double small(int level, int component, const vec3i& c)
@@ -41,36 +35,13 @@ VtkAmr3 threeLevels()
     return amr;
 }
 
-bool covered(const VtkAmr3& amr, std::size_t level, const vec3i& cell)
-{
-    if (level + 1 == amr.boxes.size())
-        return false;
-    for (const Box3i& b : amr.boxes[level + 1])
-        if (b.contains(cell * amr.ratios[level]))
-            return true;
-    return false;
-}
-
 /// What a model has to hold, in float; component 3 is the magnitude.
 CellValues expected(const VtkAmr3& amr, int component)
 {
-    CellValues cells;
-    std::vector<int> shift(amr.boxes.size(), 0);
-    for (std::size_t l = amr.boxes.size() - 1; l-- > 0;)
-        shift[l] = shift[l + 1] + (amr.ratios[l] == 4 ? 2 : 1);
-    for (std::size_t l = 0; l < amr.boxes.size(); ++l)
-        for (const Box3i& b : amr.boxes[l])
-            for (int z = b.lower.z; z < b.upper.z; ++z)
-                for (int y = b.lower.y; y < b.upper.y; ++y)
-                    for (int x = b.lower.x; x < b.upper.x; ++x) {
-                        const vec3i c(x, y, z);
-                        const auto v = [&](int k) { return amr.value(static_cast<int>(l), k, c); };
-                        const double value =
-                            component < 3 ? v(component) : std::sqrt(v(0) * v(0) + v(1) * v(1) + v(2) * v(2));
-                        if (!covered(amr, l, c))
-                            cells[{x << shift[l], y << shift[l], z << shift[l], shift[l]}] = static_cast<float>(value);
-                    }
-    return cells;
+    return leafCells(amr.boxes, amr.ratios, [&](int level, const vec3i& cell) {
+        const auto v = [&](int k) { return amr.value(level, k, cell); };
+        return component < 3 ? v(component) : std::sqrt(v(0) * v(0) + v(1) * v(1) + v(2) * v(2));
+    });
 }
 
 class Vtk : public testing::Test

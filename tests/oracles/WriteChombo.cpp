@@ -26,6 +26,19 @@ void appendBox(const Chombo3& c, int level, const Box3i& box, std::vector<double
                 }
 }
 
+/// Every level of PLUTO says where the domain begins.
+void writePluto(Hdf5Writer& file, const Chombo3& c, const std::string& group)
+{
+    for (std::size_t axis = 0; axis < c.plutoOrigin.size(); ++axis)
+        file.attribute(group, fmt::format("domBeg{}", axis + 1), {c.plutoOrigin[axis]});
+    for (std::size_t i = 0; i < c.plutoStretch.size(); ++i)
+        file.attribute(group, fmt::format("g_x{}stretch", i + 2), {c.plutoStretch[i]});
+    if (c.plutoOrigin.empty())
+        return;
+    file.attribute(group, "geometry", {double(c.plutoGeometry)}, Hdf5Number::int32);
+    file.attribute(group, "logr", {0}, Hdf5Number::int32);
+}
+
 void writeLevel(Hdf5Writer& file, const Chombo3& c, int level, double cellSize)
 {
     const std::string group = fmt::format("level_{}", level);
@@ -37,6 +50,7 @@ void writeLevel(Hdf5Writer& file, const Chombo3& c, int level, double cellSize)
         file.recordAttribute(group, "vec_ref_ratio", vectorMembers, {ratio, ratio, ratio});
     else
         file.attribute(group, "ref_ratio", {double(ratio)}, Hdf5Number::int32);
+    writePluto(file, c, group);
     std::vector<std::int64_t> boxes;
     std::vector<double> values, offsets{0};
     for (const Box3i& b : c.boxes[index]) {

@@ -27,6 +27,9 @@ struct Chombo3
     bool offsets = true;       ///< whether the list of offsets is written
     bool vectorRatios = false; ///< vec_ref_ratio in place of ref_ratio
     bool floats = false;
+    /// Written if not empty: PLUTO's attributes domBeg1 to domBeg3, and how much wider cells are along y and z.
+    std::vector<double> plutoOrigin, plutoStretch;
+    int plutoGeometry = 1;
 };
 
 /// Throws Error if it cannot.

@@ -3,8 +3,10 @@
 
 #include "brickwall/tests/oracles/WriteHdf5.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace brickwall::oracles {
 namespace {
@@ -16,6 +18,23 @@ void appendTree(const Flash3& f, int level, const vec3i& place, std::vector<Flas
     if (!leaf)
         for (int child = 0; child < 8; ++child)
             appendTree(f, level + 1, place * 2 + vec3i(child & 1, child >> 1 & 1, child >> 2), blocks);
+}
+
+/// As FLASH has it: six neighbours, here unknown, the parent and eight children, -1 for none, counted from 1.
+std::vector<double> neighboursAndFamily(const std::vector<FlashBlock>& blocks)
+{
+    std::map<std::array<int, 4>, std::size_t> at;
+    for (std::size_t b = 0; b < blocks.size(); ++b)
+        at[{blocks[b].refineLevel, blocks[b].place.x, blocks[b].place.y, blocks[b].place.z}] = b;
+    std::vector<double> gid(blocks.size() * 15, -1.0);
+    for (std::size_t b = 0; b < blocks.size(); ++b)
+        for (int child = 0; child < 8 && !blocks[b].leaf; ++child) {
+            const vec3i place = blocks[b].place * 2 + vec3i(child & 1, child >> 1 & 1, child >> 2);
+            const std::size_t found = at.at({blocks[b].refineLevel + 1, place.x, place.y, place.z});
+            gid[b * 15 + 7 + static_cast<std::size_t>(child)] = double(found + 1);
+            gid[found * 15 + 6] = double(b + 1);
+        }
+    return gid;
 }
 
 void appendCells(const Flash3& f, int field, const FlashBlock& block, std::vector<double>& values)
@@ -59,6 +78,8 @@ void writeFlash(const std::string& path, const Flash3& flash)
     file.numbers("refine level", {count}, refine, Hdf5Number::int32);
     file.numbers("node type", {count}, node, Hdf5Number::int32);
     file.numbers("bounding box", {count, 3, 2}, bounds, real);
+    if (flash.tree)
+        file.numbers("gid", {count, 15}, neighboursAndFamily(blocks), Hdf5Number::int32);
     file.pairs("string scalars", {{"geometry", flash.geometry}});
     const vec3i n = flash.blockCells;
     const std::vector<std::uint64_t> shape{count, std::uint64_t(n.z), std::uint64_t(n.y), std::uint64_t(n.x)};

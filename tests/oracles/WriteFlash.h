@@ -26,6 +26,7 @@ struct Flash3
 
     bool floats = true; ///< plot files have float numbers and faces, checkpoints double ones
     bool chunked = false;
+    bool tree = false; ///< whether `gid` is written, which lists each block's children
     std::string geometry = "cartesian";
 };
 
