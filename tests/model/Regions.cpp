@@ -206,7 +206,7 @@ TEST_P(RegionsOf, HaveTheRangesOfExactlyTheCellsThatReachThem)
     }
 }
 
-TEST_P(RegionsOf, OneBrickHaveSlopesThatBoundTheFieldAndItsLogarithm)
+TEST_P(RegionsOf, OneBrickHaveSlopesThatBoundTheFieldAndTheLogarithmsOfItsCells)
 {
     Field decades = field;
     for (float& v : decades.values)
@@ -219,12 +219,19 @@ TEST_P(RegionsOf, OneBrickHaveSlopesThatBoundTheFieldAndItsLogarithm)
         if (found < 0 || tree.regions[std::size_t(found)].brickCount > 1)
             continue;
         const Region& r = tree.regions[std::size_t(found)];
-        const vec3d q = glm::clamp(p + vec3d(0.02, -0.01, 0.015) * double(i % 7 - 3), vec3d(r.lower), vec3d(r.upper));
         const PaddedBrick& brick = tree.bricks[listOf(tree, r)[0]];
-        const double a = trilinear(p, brick, values.values), b = trilinear(q, brick, values.values);
-        const double voxels = 0.5 * glm::length(q - p);
-        ASSERT_LE(std::abs(b - a), values.regionSlopes[std::size_t(found)] * voxels * 1.0001 + 1e-9);
-        ASSERT_LE(std::abs(std::log(b / a)), values.regionLogSlopes[std::size_t(found)] * voxels * 1.0001 + 1e-9);
+        const auto at = [&](const vec3d& x) { return trilinear(x, brick, values.values); };
+        const vec3d q = glm::clamp(p + vec3d(0.02, -0.01, 0.015) * double(i % 7 - 3), vec3d(r.lower), vec3d(r.upper));
+        ASSERT_LE(std::abs(at(q) - at(p)),
+                  values.regionSlopes[std::size_t(found)] * 0.5 * glm::length(q - p) * 1.0001 + 1e-9);
+        // Two of the cells around the point.
+        const double w = 2.0 * brick.cellWidth();
+        const vec3d lower = 2.0 * vec3d(brick.lower) + 0.5 * w;
+        const vec3d cell = lower + glm::clamp(glm::floor((p - lower) / w), -1.0, 1e9) * w;
+        vec3d next = cell;
+        next[i % 3] += w;
+        ASSERT_LE(std::abs(std::log(at(next) / at(cell))),
+                  values.regionLogSlopes[std::size_t(found)] * 0.5 * w * 1.0001 + 1e-9);
     }
 }
 
