@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 
 namespace brickwall {
@@ -94,6 +95,11 @@ void checkChannel(const Rig& rig, const Channel& c, const std::string& place)
     if (c.viewport.width < leastWidth || c.viewport.height < leastHeight)
         throw Error(place, fmt::format("expected a viewport of at least {} x {} pixels, found {}", leastWidth,
                                        leastHeight, toString(c.viewport)));
+    constexpr int largest = std::numeric_limits<int>::max();
+    if (std::int64_t(c.viewport.x) + c.viewport.width > largest ||
+        std::int64_t(c.viewport.y) + c.viewport.height > largest)
+        throw Error(
+            place, fmt::format("expected a viewport that ends at {} at most, found {}", largest, toString(c.viewport)));
     checkPart(c, rig.screens[c.screen], place);
     if (!std::isfinite(c.lateralOffset))
         throw Error(place, "expected a finite lateral offset of the eye");

@@ -95,6 +95,8 @@ private:
             note(xml.placeOf(element), "<Process Type=\"client\"> shows nothing on the walls and is not read");
             return;
         }
+        if (std::string_view(element.parent().name()) == "Process")
+            throw Error(xml.placeOf(element), "expected no <Process> within another one");
         note(xml.placeOf(element), "<Process> is deprecated since ParaView 6.1; its contents are read");
         readElements(element);
     }

@@ -118,6 +118,8 @@ RigRecord recordOfJson(const RigText& source)
     } catch (const Json::parse_error& error) {
         throw Error(placeOfLine(source, lineOfOffset(source.text, error.byte > 0 ? error.byte - 1 : 0)),
                     fmt::format("expected well-formed JSON, found: {}", error.what()));
+    } catch (const Json::out_of_range& error) { // a number that no double holds
+        throw Error(source.file, fmt::format("expected numbers that can be held, found: {}", error.what()));
     }
     int line = 1;
     const char* begin = source.text.data();

@@ -28,7 +28,8 @@ target_include_directories(brickwall_options INTERFACE $<BUILD_INTERFACE:${brick
 if(BRICKWALL_SANITIZE)
   # GCC's uninitialised-use warnings are documented to be unreliable with sanitizers.
   target_compile_options(brickwall_options INTERFACE -fsanitize=${BRICKWALL_SANITIZE} -fno-omit-frame-pointer
-                                                     -fno-sanitize-recover=all -Wno-maybe-uninitialized)
+                                                     -fno-sanitize-recover=all
+                                                     $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(brickwall_options INTERFACE -fsanitize=${BRICKWALL_SANITIZE})
 endif()
 

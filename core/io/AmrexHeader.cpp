@@ -32,6 +32,13 @@ vec3i readIntVect(TextCursor& text, std::string_view what)
     return v;
 }
 
+/// Reading stays below the folder of the plotfile.
+void checkInside(TextCursor& text, const std::string& path, const std::string& what)
+{
+    if (leadsOutside(path))
+        throw Error(text.where(), fmt::format("expected {} within the plotfile, found '{}'", what, path));
+}
+
 vec3d readPoint(TextCursor& text, const std::string& what)
 {
     vec3d p;
@@ -111,6 +118,7 @@ void readGrids(TextCursor& text, std::vector<AmrexLevel>& levels)
         for (std::int64_t k = 0; k < 6 * levels[i].gridCount; ++k)
             text.number("a bound of a grid");
         levels[i].path = text.word("the path of the level's data");
+        checkInside(text, levels[i].path, "the path of the level's data");
     }
 }
 
@@ -121,8 +129,10 @@ void readFabs(TextCursor& text, std::int64_t count, AmrexCells& cells)
         text.expect("FabOnDisk:", "the place of a FAB");
         const std::string name = text.word("the name of a data file");
         const auto [file, isNew] = known.emplace(name, static_cast<std::uint32_t>(cells.files.size()));
-        if (isNew)
+        if (isNew) {
+            checkInside(text, name, "the name of a data file");
             cells.files.push_back(name);
+        }
         const std::int64_t offset = text.integer("an offset in a data file", 0, INT64_MAX);
         cells.fabs.push_back({file->second, static_cast<std::uint64_t>(offset)});
     }
@@ -228,6 +238,10 @@ Box3i readAmrexBox(TextCursor& text)
         if (upper[axis] < lower[axis])
             throw Error(text.where(), fmt::format("expected a box with cells, found indices {} to {} along {}",
                                                   lower[axis], upper[axis], "xyz"[axis]));
+    for (int axis = 0; axis < 3; ++axis) // extents stay ints
+        if (std::int64_t(upper[axis]) - lower[axis] >= indexLimit)
+            throw Error(text.where(), fmt::format("expected a box of at most {} cells along {}, found indices {} to {}",
+                                                  indexLimit, "xyz"[axis], lower[axis], upper[axis]));
     text.expect(")", "a box");
     return {lower, upper + 1};
 }

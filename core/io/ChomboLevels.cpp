@@ -236,13 +236,15 @@ ChomboArray openChomboArray(const Hdf5File& file, const ChomboLevels& levels, st
     const bool written = file.hasAttribute(attributes, "outputGhost");
     out.ghosts = ghostsOf(file, attributes, written ? "outputGhost" : "ghost");
     if (!written && !boxes.empty() && !offsets.empty() &&
-        static_cast<std::uint64_t>(offsets[1] - offsets[0]) == valuesOf(boxes[0], vec3i(0), out.components, base))
+        static_cast<std::uint64_t>(offsets[1]) - static_cast<std::uint64_t>(offsets[0]) ==
+            valuesOf(boxes[0], vec3i(0), out.components, base))
         out.ghosts = vec3i(0);
     std::uint64_t end = 0;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         const std::uint64_t count = valuesOf(boxes[i], out.ghosts, out.components, out.values.place());
         const std::int64_t begin = offsets.empty() ? static_cast<std::int64_t>(end) : offsets[i];
-        if (!offsets.empty() && (begin < 0 || offsets[i + 1] - begin != static_cast<std::int64_t>(count)))
+        if (!offsets.empty() &&
+            (begin < 0 || offsets[i + 1] < begin || static_cast<std::uint64_t>(offsets[i + 1] - begin) != count))
             throw Error(fmt::format("{}: /{}:offsets=0", file.path(), base),
                         fmt::format("box {}: expected {} values, {} components with {},{},{} ghost cells, found the "
                                     "offsets {} and {}",

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <filesystem>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 
 namespace brickwall {
@@ -137,11 +138,9 @@ private:
     ExaField& declare(const std::string& place, const std::string& keyword)
     {
         const Token& name = next(fmt::format("a field's name after '{}'", keyword));
-        for (const ExaField& field : parts_.fields)
-            if (field.name == name.text)
-                throw Error(place,
-                            fmt::format("field '{}' is declared twice, first at {}; give one of them another name",
-                                        name.text, field.place));
+        if (const auto [known, isNew] = declared_.emplace(name.text, place); !isNew)
+            throw Error(place, fmt::format("field '{}' is declared twice, first at {}; give one of them another name",
+                                           name.text, known->second));
         parts_.fields.push_back({name.text, place, {}, {}, {}});
         return parts_.fields.back();
     }
@@ -216,6 +215,7 @@ private:
     std::vector<Token> tokens_;
     std::size_t at_ = 0;
     ExaParts parts_;
+    std::unordered_map<std::string, std::string> declared_; ///< the places of the fields' declarations
     Corners from_{0, 0, 0, 1, 1, 1};
     Corners to_{0, 0, 0, 1, 1, 1};
 };

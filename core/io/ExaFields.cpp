@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace brickwall {
@@ -45,14 +46,13 @@ public:
 
     const std::vector<float>& values(std::size_t index)
     {
-        const auto known = done_.find(index);
-        if (known != done_.end())
-            return known->second;
-        const ExaField& field = all_[index];
-        std::vector<float> result = field.expression          ? evaluate(field)
-                                    : field.files.size() == 3 ? magnitude(field)
-                                                              : gatherFile(field, field.files[0]);
-        return done_[index] = std::move(result);
+        for (const std::size_t i : missing(index)) {
+            const ExaField& field = all_[i];
+            done_[i] = field.expression          ? evaluate(field)
+                       : field.files.size() == 3 ? magnitude(field)
+                                                 : gatherFile(field, field.files[0]);
+        }
+        return done_.at(index);
     }
 
     /// The values, of which the reader keeps no copy.
@@ -63,6 +63,23 @@ public:
     }
 
 private:
+    /// What has to be known for a field, itself the last, as expressions use fields before them. No recursion: hostile
+    /// expressions may be a chain that no stack is deep enough for.
+    std::set<std::size_t> missing(std::size_t index) const
+    {
+        std::set<std::size_t> found;
+        std::vector<std::size_t> open{index};
+        while (!open.empty()) {
+            const std::size_t i = open.back();
+            open.pop_back();
+            if (done_.contains(i) || !found.insert(i).second || !all_[i].expression)
+                continue;
+            const auto used = all_[i].expression->fields();
+            open.insert(open.end(), used.begin(), used.end());
+        }
+        return found;
+    }
+
     std::vector<float> gatherFile(const ExaField& field, const std::string& path)
     {
         progress_.begin(fmt::format("reading {}", field.name), geometry_.cellCount);
@@ -99,7 +116,7 @@ private:
     {
         std::vector<const std::vector<float>*> inputs; // nodes of a map stay where they are
         for (const std::size_t used : field.expression->fields())
-            inputs.push_back(&values(used));
+            inputs.push_back(&done_.at(used));
         progress_.begin(fmt::format("evaluating {}", field.name), geometry_.cellCount);
         std::vector<float> result(geometry_.cellCount);
         executor_.forEach(result.size(), grain, [&](std::size_t begin, std::size_t end) {

@@ -5,21 +5,25 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <string_view>
+#include <unordered_map>
 
 namespace brickwall {
 
 std::vector<std::size_t> fieldIndices(std::span<const std::string> names, std::span<const std::string> wanted,
                                       const std::string& place)
 {
+    std::unordered_map<std::string_view, std::size_t> known; // the first of each name; there may be very many
+    for (std::size_t i = 0; i < names.size(); ++i)
+        known.emplace(names[i], i);
     std::vector<std::size_t> indices;
     for (const std::string& name : wanted) {
-        const auto found = std::find(names.begin(), names.end(), name);
-        if (found == names.end())
+        const auto found = known.find(name);
+        if (found == known.end())
             throw Error(place, names.empty() ? fmt::format("there is no field '{}'; the data have no fields", name)
                                              : fmt::format("there is no field '{}'; the fields are {}", name,
                                                            fmt::join(names, ", ")));
-        indices.push_back(static_cast<std::size_t>(found - names.begin()));
+        indices.push_back(found->second);
     }
     return indices;
 }

@@ -90,6 +90,12 @@ bool isRegularFile(const std::string& path)
     return std::filesystem::is_regular_file(path, ignored);
 }
 
+bool leadsOutside(const std::string& name)
+{
+    const std::filesystem::path path = std::filesystem::path(name).lexically_normal();
+    return path.is_absolute() || (!path.empty() && *path.begin() == "..");
+}
+
 std::string extensionOf(const std::string& path)
 {
     std::string extension = std::filesystem::path(path).extension().string();

@@ -44,6 +44,10 @@ std::string readText(const std::string& path);
 
 bool isRegularFile(const std::string& path);
 
+/// Whether a name that a file gives leads out of the folder that it belongs to: it is absolute, or goes up too far.
+/// A symbolic link on the way is the user's.
+bool leadsOutside(const std::string& name);
+
 /// ".bricks" for "a/b.c.bricks"; empty without a dot. In lower case.
 std::string extensionOf(const std::string& path);
 

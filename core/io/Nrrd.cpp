@@ -126,7 +126,7 @@ std::unique_ptr<DataSet> openNrrd(const std::string& data)
     VolumeFile volume;
     volume.format = "NRRD";
     volume.place = name.file;
-    if (const std::int64_t dimension = header.integer("dimension", 1, 16); dimension != 3)
+    if (const std::int64_t dimension = header.cursor("dimension").integer("dimension", 1, 16); dimension != 3)
         throw Error(header.where("dimension"),
                     fmt::format("expected three dimensions of one number each, found {} dimensions", dimension));
     TextCursor sizes = header.cursor("sizes");

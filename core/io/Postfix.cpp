@@ -47,7 +47,8 @@ constexpr std::array<UnaryOperator, 3> unaryOperators{{
     {"sqrt", [](float a) { return std::sqrt(a); }},
 }};
 
-constexpr std::size_t blockSize = 256; // of values that go through one step together
+constexpr std::size_t blockSize = 256;  // of values that go through one step together
+constexpr std::size_t mostDepth = 4096; // of the stack, of such blocks
 
 } // namespace
 
@@ -108,6 +109,10 @@ void Postfix::checkStack(std::span<const std::string> tokens, const std::string&
         height = height - needed + 1;
         depth_ = std::max(depth_, height);
     }
+    if (depth_ > mostDepth)
+        throw Error(place, fmt::format("expected an expression that keeps at most {} values at a time, found one that "
+                                       "keeps {}",
+                                       mostDepth, depth_));
     if (height != 1)
         throw Error(place, steps_.empty() ? std::string("the expression is empty")
                                           : fmt::format("the expression leaves {} values after its last token, '{}'; "

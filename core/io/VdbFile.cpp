@@ -47,7 +47,7 @@ public:
         readGridCompression(stream_);
         grid->readMeta(stream_);
         grid->readTransform(stream_);
-        checkTree(descriptor);
+        checkTree(*grid);
         descriptor.seekToGrid(stream_);
         readGrid(grid, descriptor, stream_);
         return grid;
@@ -65,19 +65,19 @@ public:
     }
 
 private:
-    /// What the stream is at.
-    void checkTree(const openvdb::io::GridDescriptor& descriptor)
+    /// What the stream is at. Whether floats have 16 bits follows from the metadata, which OpenVDB goes by: the type's
+    /// name in the file may say something else.
+    void checkTree(const openvdb::GridBase& grid)
     {
-        const std::uint32_t components = descriptor.gridType().starts_with("Tree_vec3") ? 3 : 1;
-        const bool wide = descriptor.gridType().find("double") != std::string::npos ||
-                          descriptor.gridType().find("int64") != std::string::npos ||
-                          descriptor.gridType().find("vec3d") != std::string::npos;
-        const bool integer = descriptor.gridType().find("int") != std::string::npos ||
-                             descriptor.gridType().find("vec3i") != std::string::npos;
+        const std::string type = grid.type();
+        const std::uint32_t components = type.starts_with("Tree_vec3") ? 3 : 1;
+        const bool wide = type.find("double") != std::string::npos || type.find("int64") != std::string::npos ||
+                          type.find("vec3d") != std::string::npos;
+        const bool integer = type.find("int") != std::string::npos || type.find("vec3i") != std::string::npos;
         VdbStorage storage;
         storage.compression = openvdb::io::getDataCompression(stream_);
         storage.valueBytes = components * (wide ? 8 : 4);
-        storage.storedBytes = descriptor.saveFloatAsHalf() && !integer ? components * 2 : storage.valueBytes;
+        storage.storedBytes = grid.saveFloatAsHalf() && !integer ? components * 2 : storage.valueBytes;
         checkVdbTree(InputFile(path_), static_cast<std::uint64_t>(std::streamoff(stream_.tellg())), storage, path_);
     }
 

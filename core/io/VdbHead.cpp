@@ -138,6 +138,7 @@ std::vector<VdbEntry> readVdbHead(const InputFile& file)
         walker.moveTo(grid, "a grid");
         walker.number<std::uint32_t>("compression flags");
         walker.skipMetadata();
+        walker.text("the type of a grid's transform");
         walker.moveTo(end, "the end of a grid");
         entries.push_back(std::move(entry));
     }

@@ -122,6 +122,8 @@ void appendVoxels(const MaskTree& mask, const VdbLevel& level, std::vector<Brick
 {
     const vec3i shift = toVec(level.shift);
     for (auto leaf = mask.cbeginLeaf(); leaf; ++leaf) {
+        if (leaf->isEmpty())
+            continue; // may be farther away than coordinates reach
         const vec3i lower = toVec(leaf->origin()) + shift;
         appendPresent(
             {lower, lower + int(MaskTree::LeafNodeType::DIM)}, level.level,

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
 #include <vector>
@@ -32,8 +33,13 @@ public:
             if (const auto active = number<std::uint8_t>(); active > 1)
                 fail(fmt::format("expected 0 or 1 for whether a tile is active, found {}", active));
         }
+        std::array<std::int32_t, 3> last{};
         for (std::uint32_t i = 0; i < children; ++i) {
-            checkOrigin();
+            // OpenVDB reads values in this order, whatever the file's, and one child per place.
+            const auto origin = checkOrigin();
+            if (i > 0 && origin <= last)
+                fail("expected the nodes of a tree in the order of their places");
+            last = origin;
             const std::uint32_t inner = internalNode(5);
             for (std::uint32_t k = 0; k < inner; ++k) {
                 const std::uint32_t leaves = internalNode(4);
@@ -98,11 +104,13 @@ private:
         return count;
     }
 
-    void checkOrigin()
+    std::array<std::int32_t, 3> checkOrigin()
     {
-        for (int axis = 0; axis < 3; ++axis)
-            if (const auto o = number<std::int32_t>(); o % (1 << rootLog2) != 0)
+        std::array<std::int32_t, 3> origin{};
+        for (std::int32_t& o : origin)
+            if (o = number<std::int32_t>(); o % (1 << rootLog2) != 0)
                 fail(fmt::format("expected a node at a multiple of {}, found {}", 1 << rootLog2, o));
+        return origin;
     }
 
     /// Returns the number of its children.

@@ -7,10 +7,28 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <utility>
 
 namespace brickwall {
 namespace {
+
+/// A byte of a piece is at most 1032 bytes of numbers when unpacked. Pieces are opened one by one later, when there
+/// already is memory for the cells of all.
+void checkPieceSizes(const VtkLevels& levels)
+{
+    constexpr double mostCellsPerByte = 1100.0;
+    for (std::size_t l = 0; l < levels.files.size(); ++l)
+        for (std::size_t b = 0; b < levels.files[l].size(); ++b) {
+            const vec3d size(levels.boxes[l].boxes[b].extent());
+            std::error_code missing; // said when it is opened
+            const auto bytes = std::filesystem::file_size(levels.files[l][b], missing);
+            if (!missing && size.x * size.y * size.z > mostCellsPerByte * double(bytes))
+                throw Error(levels.files[l][b],
+                            fmt::format("truncated: its box has {} cells, but the file only {} bytes",
+                                        size.x * size.y * size.z, bytes));
+        }
+}
 
 class VtkAmr : public DataSet
 {
@@ -26,6 +44,7 @@ public:
     {
         const auto wanted = fieldIndices(fieldNames(), fields, levels_.place);
         LeafPlan plan = planLeaves(levels_.boxes, levels_.place, executor, progress);
+        checkPieceSizes(levels_);
         std::vector<Field> read;
         for (const std::size_t i : wanted) {
             const ArrayField& field = levels_.fields[i];

@@ -2,6 +2,7 @@
 #include "brickwall/core/io/VtkLevels.h"
 
 #include "brickwall/core/base/Error.h"
+#include "brickwall/core/io/InputFile.h"
 #include "brickwall/core/io/VtkPiece.h"
 
 #include <glm/common.hpp>
@@ -21,10 +22,9 @@ constexpr std::uint64_t listLimit = std::uint64_t(8) << 20;
 /// Reading stays below the folder of the data set: what is outside is none of its pieces.
 std::string pieceFile(const std::string& list, const std::string& name)
 {
-    const std::filesystem::path piece = std::filesystem::path(name).lexically_normal();
-    if (piece.is_absolute() || (!piece.empty() && *piece.begin() == ".."))
+    if (leadsOutside(name))
         throw Error(list, fmt::format("expected pieces within the folder of the data set, found '{}'", name));
-    return (std::filesystem::path(list).parent_path() / piece).string();
+    return (std::filesystem::path(list).parent_path() / std::filesystem::path(name).lexically_normal()).string();
 }
 
 Box3i blockBox(const VtkXml& xml, const pugi::xml_node& node, std::size_t level, std::size_t index)

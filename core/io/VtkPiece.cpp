@@ -207,7 +207,7 @@ vec3d vtkVector(const VtkXml& xml, const pugi::xml_node& node, const char* attri
 Box3i vtkExtent(const VtkXml& xml, const pugi::xml_node& node, const char* attribute)
 {
     TextCursor text = attributeText(xml, node, attribute);
-    constexpr std::int64_t most = std::int64_t(1) << 30;
+    constexpr std::int64_t most = std::int64_t(1) << 29; // extents stay ints
     Box3i box;
     for (int axis = 0; axis < 3; ++axis) {
         box.lower[axis] = static_cast<int>(text.integer("six indices", -most, most));

@@ -69,10 +69,10 @@ public:
         const SplitPlane plane = split(box, bricks, depth, leaf, chooser);
         if (plane.axis < 0)
             return buildSerially(box, bricks, depth);
-        const auto [lower, upper] = halves(box, plane);
+        const auto parts = halves(box, plane); // clang 14 captures no names of a structured binding
         Subtree a, b;
-        executor_.both([&] { a = build(lower, overlapping(lower, bricks), depth + 1); },
-                       [&] { b = build(upper, overlapping(upper, bricks), depth + 1); });
+        executor_.both([&] { a = build(parts.first, overlapping(parts.first, bricks), depth + 1); },
+                       [&] { b = build(parts.second, overlapping(parts.second, bricks), depth + 1); });
         return join(plane, std::move(a), b, depth);
     }
 

@@ -67,6 +67,8 @@ Json parse(const std::string& text, const std::string& path)
         if (const auto at = message.find(": "); at != std::string::npos)
             message = message.substr(at + 2);
         throw Error(fmt::format("{}:{}", path, line), message);
+    } catch (const Json::out_of_range& e) { // a number that no double holds
+        throw Error(path, e.what());
     }
 }
 

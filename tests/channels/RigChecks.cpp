@@ -70,6 +70,7 @@ TEST(RigChecks, RefuseEmptyViewports)
     EXPECT_NE(complaint([](Rig& r) { r.channels[0].viewport.width = 0; }), "");
     EXPECT_NE(complaint([](Rig& r) { r.channels[0].viewport.height = -5; }), "");
     EXPECT_EQ(complaint([](Rig& r) { r.channels[0].viewport.width = 1; }), "");
+    EXPECT_NE(complaint([](Rig& r) { r.channels[0].viewport.x = 2147483647; }), ""); // no int is where it ends
     EXPECT_NE(complaint([](Rig& r) {
                   r.channels[0].viewport.width = 1; // no column for the right eye
                   r.channels[0].stereo = StereoMode::horizontalSplit;

@@ -82,6 +82,12 @@ TEST(ParaviewPvx, EveryErrorNamesFileLineAndAttribute)
               std::string::npos);
     EXPECT_NE(errorOf(machines("<EyeSeparation Value=\"6,5\"/>")).find(":3: <EyeSeparation>, attribute Value"),
               std::string::npos);
+    std::string deep; // a call within a call for each of these needs more than a stack
+    for (int i = 0; i < 500000; ++i)
+        deep += "<Process>";
+    for (int i = 0; i < 500000; ++i)
+        deep += "</Process>";
+    EXPECT_NE(errorOf("<pvx>" + deep + "</pvx>").find(":1: expected no <Process> within another"), std::string::npos);
     EXPECT_NE(errorOf("<pvx/>").find(":1: expected at least one <Machine>"), std::string::npos);
     EXPECT_NE(errorOf("<html/>").find(":1: expected the root element"), std::string::npos);
 }

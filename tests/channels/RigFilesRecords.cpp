@@ -173,6 +173,7 @@ TEST(RigRecords, EveryErrorNamesFileLineAndKey)
     EXPECT_NE(errorOf("{\n\"screen\": [{\n\"size\": [1, \"x\"],\n \"center\": [0, 0, 0]}]}")
                   .find(":3: size: expected a number"),
               std::string::npos);
+    EXPECT_NE(errorOf("{\"screen\": 1e999}").find("number overflow"), std::string::npos);
     EXPECT_NE(errorOf("{\n\"screen\": oops}").find(":2: expected well-formed JSON"), std::string::npos);
     EXPECT_NE(errorOf(" \n").find("empty file"), std::string::npos);
 }

@@ -300,6 +300,8 @@ TEST_F(Amrex, TheFabHasToBeTheBoxOfItsLevel)
     EXPECT_TRUE(says(errorAfter("Level_0/Cell_D_00000", "(3,9,3)", "(3,8,3)"),
                      {"Level_0/Cell_D_00000: FAB at byte 0", "expected box 0", "(3,9,3)", "(3,8,3)"}));
     EXPECT_TRUE(says(errorAfter("Level_0/Cell_D_00000", "(0,0,0)) 2\n", "(0,0,0)) 1\n"), {"2 components", "with 1"}));
+    EXPECT_TRUE(says(errorAfter("Level_0/Cell_D_00000", "(3,9,3)", "(1073741824,9,3)"), // no int may hold the extent
+                     {"Level_0/Cell_D_00000: FAB at byte 0", "along x", "to 1073741824"}));
 }
 
 TEST_F(Amrex, OffsetsHaveToMeetFabs)

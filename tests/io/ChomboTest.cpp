@@ -241,6 +241,7 @@ TEST_F(Chombo, OffsetsHaveToMeetTheBoxes)
     EXPECT_TRUE(says(errorAfter(offsets({0, 3072})), {"offsets=0", "shape of (3)", "(2)"}));
     EXPECT_TRUE(says(errorAfter(offsets({0, 3000, 3640})), {"offsets=0", "box 0", "expected 3072 values", "3000"}));
     EXPECT_TRUE(says(errorAfter(offsets({-3072, 0, 640})), {"offsets=0", "box 0", "-3072"}));
+    EXPECT_TRUE(says(errorAfter(offsets({8, -0x1p63, 640})), {"offsets=0", "box 0", "-9223372036854775808"}));
     EXPECT_TRUE(says(errorAfter(offsets({500, 3572, 4212})), {"datatype=0", "truncated", "box 1", "4212"}));
 }
 

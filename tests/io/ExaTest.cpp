@@ -87,6 +87,18 @@ TEST_F(Exa, EvaluatesExpressionsOfFieldsAndVectors)
 }
 
 // The original extends every range to 0, because it reads a file four times as long as it is.
+TEST_F(Exa, FieldsMayBeMadeOfEachOtherInALongChain)
+{
+    // One call within the other for each of these was more than a stack has room for.
+    constexpr int length = 50000;
+    std::string text = "bricks t.bricks scalar f0 a.scalars\n";
+    for (int i = 1; i < length; ++i)
+        text += "scalar f" + std::to_string(i) + " expr \"%" + std::to_string(i - 1) + " 1 +\"\n";
+    const std::string path = exa(text), last = "f" + std::to_string(length - 1);
+    EXPECT_EQ(loadData(path, {last}).fields[0].values,
+              (std::vector<float>{49999, 50000, 50001, 50002, 50006, 50005, 50004, 50003}));
+}
+
 TEST_F(Exa, RangesAreOfTheValuesInUse)
 {
     writeScalars(folder_ + "/a.scalars", std::vector<float>{5, 6, 7, 8, 9, 10, 11, 12, 1e9f, std::nanf("")});

@@ -101,6 +101,12 @@ TEST(Postfix, ErrorsPointAtTheToken)
     EXPECT_TRUE(says(parseError("sqrt"), {"token 1", "'sqrt'"}));
     EXPECT_TRUE(says(parseError("1 2 3 +"), {"leaves 2 values"}));
     EXPECT_TRUE(says(parseError(""), {"is empty"}));
+    std::string deep; // memory for evaluation is asked for by how many values wait at a time
+    for (int i = 0; i < 100000; ++i)
+        deep += "1 ";
+    for (int i = 1; i < 100000; ++i)
+        deep += "+ ";
+    EXPECT_TRUE(says(parseError(deep), {"a.exa:3", "at most 4096 values", "100000"}));
     EXPECT_TRUE(says(parseError("1e99"), {"'1e99'"}));
     EXPECT_TRUE(says(parseError("nan"), {"'nan'"}));
 }

@@ -1,4 +1,5 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#include "brickwall/tests/common/EditFile.h"
 #include "brickwall/tests/io/IoTest.h"
 
 #include <openvdb/io/File.h>
@@ -333,6 +334,46 @@ TEST_F(Vdb, AbsurdLengthsAreRefusedBeforeMemoryIsAsked)
     EXPECT_TRUE(says(errorWith("density", 0xfffffff0u), {"data.vdb: byte", "the name of a grid", "4294967280"}));
     EXPECT_TRUE(says(errorWith("Tree_float", 0x7fffffffu), {"the type of a grid", "2147483647"}));
     EXPECT_TRUE(says(errorWith("file_bbox_max", 0x7fffffffu), {"the name of metadata", "2147483647"}));
+    EXPECT_TRUE(says(errorWith("UniformScale", 0x7fffffffu), {"the type of a grid's transform", "2147483647"}));
+}
+
+TEST_F(Vdb, FloatsHaveTheWidthThatTheLibraryReads)
+{
+    // The type's name says 16 bits and the metadata do not, or the other way round: OpenVDB goes by the metadata, and
+    // unpacked twice of what it had room for.
+    const auto half = grid("h", 1.0, {{{0, 0, 0}, {7, 7, 7}}});
+    half->setSaveFloatAsHalf(true);
+    for (const std::uint32_t packing : {0, 1, 3, 6}) {
+        openvdb::io::File file(path_);
+        file.setCompression(packing);
+        file.write({half});
+        EXPECT_EQ(loadData(path_).cellCount, 512u);
+        editFile(path_, "is_saved_as_half_float", "is_saved_as_half_floaT");
+        EXPECT_TRUE(says(loadError(path_), {"data.vdb"})) << packing;
+    }
+}
+
+TEST_F(Vdb, EmptyNodesMayLieAnywhere)
+{
+    const auto g = grid("d", 1.0, {{{0, 0, 0}, {1, 0, 0}}});
+    g->tree().touchLeaf(Coord(2147483640, 2147483640, -2147483640));
+    EXPECT_EQ(loadData(write({g})).cellCount, 2u);
+}
+
+TEST_F(Vdb, NodesThatTheLibraryWouldReadInAnotherOrderAreRefused)
+{
+    // OpenVDB keeps them sorted and then reads their values in that order: what belongs to one goes to the other.
+    write({grid("d", 1.0, {{{1, 1, 1}, {2, 1, 1}}, {{4100, -4095, 4097}, {4100, -4095, 4097}}})});
+    const std::string whole = bytes();
+    const std::string second("\0\x10\0\0\0\xf0\xff\xff\0\x10\0\0", 12); // its place, (4096,-4096,4096)
+    const std::size_t at = whole.find(second);
+    ASSERT_NE(at, std::string::npos);
+    for (const std::int32_t x : {0, -4096}) {
+        std::string broken = whole;
+        std::memcpy(broken.data() + at, &x, sizeof x);
+        put(broken);
+        EXPECT_TRUE(says(loadError(path_), {"data.vdb", "in the order of their places"})) << x;
+    }
 }
 
 TEST_F(Vdb, AllPackingsHoldTheSame)

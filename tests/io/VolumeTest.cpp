@@ -333,6 +333,7 @@ TEST_F(Nrrd, WhatIsMissingOrUnknownIsNamed)
             write("e.nrrd", header.replace(at, from.size(), to) + "\n" + packed<std::int16_t>(size_, numbered)));
     };
     EXPECT_TRUE(says(error("type: short\n", ""), {"e.nrrd", "'type'"}));
+    EXPECT_TRUE(says(error("dimension: 3\n", ""), {"e.nrrd", "'dimension'"})); // was looked up to name its line
     EXPECT_TRUE(says(error("short", "block"), {"e.nrrd:3", "'block'"}));
     EXPECT_TRUE(says(error("dimension: 3", "dimension: 4"), {"e.nrrd:4", "three dimensions", "4"}));
     EXPECT_TRUE(says(error("5 6 7", "5 6"), {"e.nrrd:5", "a size"}));

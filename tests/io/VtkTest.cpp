@@ -247,6 +247,9 @@ TEST_F(Vtk, APieceHasToBeThereAndImageData)
         says(errorAfter("amr.vthb", "amr/amr_0.vti", "amr.vthb"), {"amr.vthb", "ImageData", "vtkOverlappingAMR"}));
     EXPECT_TRUE(says(errorAfter("amr/amr_2.vti", "<Piece Extent=\"0 3", "<Piece Extent=\"0 4"),
                      {"amr_2.vti", "expected 3 x 6 x 6", "4 x 6 x 6"}));
+    EXPECT_TRUE(
+        says(errorAfter("amr/amr_2.vti", "<Piece Extent=\"0 ", "<Piece Extent=\"-1073741824 "),
+             {"amr_2.vti", "six indices", "-1073741824"})); // an extent that no int can hold, with the same above
     EXPECT_TRUE(says(errorAfter("amr/amr_0.vti", "Origin=\"1 ", "Origin=\"1.5 "), {"amr_0.vti", "begin at 1", "1.5"}));
 }
 

@@ -175,6 +175,11 @@ void Hdf5Writer::removeAttribute(const std::string& object, const std::string& n
     checked(H5Adelete_by_name(file_, object.empty() ? "/" : object.c_str(), name.c_str(), H5P_DEFAULT), name);
 }
 
+void Hdf5Writer::hardLink(const std::string& path, const std::string& target)
+{
+    checked(H5Lcreate_hard(file_, target.c_str(), file_, path.c_str(), H5P_DEFAULT, H5P_DEFAULT), path);
+}
+
 void Hdf5Writer::softLink(const std::string& path, const std::string& target)
 {
     checked(H5Lcreate_soft(target.c_str(), file_, path.c_str(), H5P_DEFAULT, H5P_DEFAULT), path);

@@ -40,6 +40,8 @@ public:
     /// An object, or an attribute of it, to be made anew or to be missed.
     void remove(const std::string& path);
     void removeAttribute(const std::string& object, const std::string& name);
+    /// Another name for something in the file; a circle, if that holds the new name.
+    void hardLink(const std::string& path, const std::string& target);
     void softLink(const std::string& path, const std::string& target);
     void externalLink(const std::string& path, const std::string& file, const std::string& target);
 

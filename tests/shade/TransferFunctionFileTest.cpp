@@ -172,6 +172,7 @@ TEST(JsonFile, IsRefusedWithThePlace)
 {
     EXPECT_NO_THROW(read(minimal));
     expectRefused("{\n\"range\": [0, 1],\n\"colors\" [[0,0,0,0]]\n}", ":3: ");
+    expectRefused("{\"range\": [0, 1e999]}", "number overflow");
     expectRefused("{", ":1: ");
     expectRefused(R"({"range": [0, 1], "colours": "jet", "opacity": [[0, 0]]})", "unknown key 'colours'");
     expectRefused(R"({"range": [0, 1], "range": [0, 2], "colors": "jet", "opacity": [[0, 0]]})",
