@@ -63,6 +63,8 @@ inline constexpr float shortestPart = 0x1p-14f;
 inline constexpr float opacityRounding = 1e-5f;
 /// Of the values of B on a piece: some roundings, by which values that should be equal may differ,
 inline constexpr float valueRounding = 2e-7f;
+/// of a knot of the transfer function: half of the last bit,
+inline constexpr float knotRounding = 6e-8f;
 /// and what enclosures of restricted cubics, after more operations, may be wider than B by.
 inline constexpr float enclosureRounding = 1e-6f;
 /// Of a position in cells: what rounding may put it off by.

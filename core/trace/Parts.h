@@ -140,8 +140,8 @@ HWY_INLINE FloatN roundingOf(const TransferIntegralLookup& lookup, MaskN lanes, 
     const FloatN noise = FloatN(tuning::valueRounding) * max(abs(lo), abs(hi));
     const MaskN lost = noise >= rise;
     const FloatN share = noise / select(lost, 1.0f, rise);
-    const FloatN inside =
-        min(0.5f * tuning::valueRounding * extent.relativeVariation, share * FloatN(extent.extinction));
+    constexpr float knot = tuning::knotRounding, ofValues = knot / tuning::valueRounding;
+    const FloatN inside = min(0.5f * knot * extent.relativeVariation, ofValues * share * FloatN(extent.extinction));
     const MaskN across = !(a.look.segment == b.look.segment);
     FloatN off = max(share * peakOf(a, b, mean), valueOrZero(across, inside));
     const FloatN below = max(lo - noise, extent.values.lo), above = min(hi + noise, extent.values.hi);
