@@ -28,9 +28,9 @@ struct KeptOfShading
     double opacity = 0.0;                   ///< the largest in the reference: whether there is anything to see
 };
 
-/// Known weaknesses (docs/accuracy.md, "What is outside"): the headlight's |cos| may dip or jump between two places
-/// that the bounded method looks at, and a ray may touch a spike that floats hardly resolve. So many pixels of a view
-/// of 1024 may be over the tolerance without being admitted; of smaller views none.
+/// A known weakness (docs/accuracy.md, "What is outside"): with the headlight, a ray may enter the data where floats
+/// hardly resolve the gradient. So many pixels of a view of 1024 may be over the tolerance without being admitted; of
+/// smaller views none.
 inline constexpr std::uint64_t unadmittedPixels = 2;
 
 /// Renders three views of `size` x `size` pixels: from outside, from inside, and from outside through translucent
