@@ -159,8 +159,9 @@ TEST(TransferIntegral, LinesOfBucketsMeetTheSegmentsOrSayThatTheyDoNot)
                             1.1e-4 * exact.w + 1.1e-6 * largest + 2.0 * blur(f, v) + 3e-4 * std::abs(bucket.rise.w))
                     << name << " at " << v;
         }
-        if (name == "extinction ramp")
+        if (name == "extinction ramp") {
             EXPECT_GT(lines, values.size() / 2);
+        }
     }
 }
 
