@@ -7,10 +7,10 @@
 
 namespace brickwall {
 
-/// Exact in float, different for every level, component and cell.
+/// Exact in float, different for every level, component and cell, but for levels so deep that indices are large.
 inline double numbered(int level, int component, const vec3i& c)
 {
-    return level * 1e6 + component * 1e5 + c.x + 40 * c.y + 1600 * c.z;
+    return level * 1e6 + component * 1e5 + c.x + 40.0 * c.y + 1600.0 * c.z;
 }
 
 /// What a model has to hold of levels of boxes, coarse to fine and in their own indices, when what finer levels cover
