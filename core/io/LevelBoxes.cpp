@@ -98,6 +98,15 @@ void countCells(LeafPlan& plan, std::span<const BoxLevel> levels, const std::str
     plan.coveredCells = static_cast<std::uint64_t>(std::min(all - cells, 9e18));
 }
 
+/// Boxes of one level do not overlap.
+void checkDisjoint(const BoxLevel& level)
+{
+    if (const auto pair = findOverlap(level.boxes))
+        throw Error(level.place,
+                    fmt::format("boxes {} and {} of one level overlap: {} and {}", pair->first, pair->second,
+                                text(level.boxes[pair->first]), text(level.boxes[pair->second])));
+}
+
 /// The boxes of all levels in a row, without a copy of them.
 class BoxList
 {
@@ -171,10 +180,7 @@ void checkLevel(const BoxLevel& level)
 {
     checkIndices(level);
     checkCount(level, level.place);
-    if (const auto pair = findOverlap(level.boxes))
-        throw Error(level.place,
-                    fmt::format("boxes {} and {} of one level overlap: {} and {}", pair->first, pair->second,
-                                text(level.boxes[pair->first]), text(level.boxes[pair->second])));
+    checkDisjoint(level);
 }
 
 LeafPlan planLeaves(std::span<const BoxLevel> levels, const std::string& place, const Executor& executor,
@@ -186,7 +192,7 @@ LeafPlan planLeaves(std::span<const BoxLevel> levels, const std::string& place, 
         checkCount(level, place);
     }
     for (const BoxLevel& level : levels)
-        checkLevel(level);
+        checkDisjoint(level);
     std::vector<OverlappingLevel> inFinest;
     for (const BoxLevel& level : levels)
         inFinest.push_back(inVoxels(level));

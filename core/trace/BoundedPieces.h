@@ -72,8 +72,7 @@ private:
         MaskN split = firstLanes(0);
         while (any(todo)) {
             const PlaceN b = placeAt(s + h, todo);
-            const ExtentN extent{piece_.enclosure(s, s + h), range_, bounds_.extinction, bounds_.variation,
-                                 bounds_.relativeVariation,  h,      h * length};
+            const ExtentN extent{piece_.enclosure(s, s + h), range_, bounds_, h, h * length};
             const FloatN t = fma(s, length, t0), most = mostError(extent);
             const PartN whole = wholePart<shaded>(rays_.lookup, todo, a, b, extent);
             MaskN good = todo & fits(whole, extent, perLength);

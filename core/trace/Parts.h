@@ -15,6 +15,7 @@
 
 #include "brickwall/core/trace/BoundedTuning.h"
 #include "brickwall/core/trace/Pieces.h"
+#include "brickwall/core/trace/RegionBounds.h"
 #include "brickwall/core/trace/Segments.h"
 #include "brickwall/core/trace/TransferIntegralLookup.h"
 
@@ -34,10 +35,8 @@ struct ExtentN
 {
     EnclosureN enclosure; ///< of B: Bernstein coefficients, which no polynomial leaves
     Range values;         ///< of the region's cells, which B cannot leave either
-    float extinction;     ///< these three of RegionBounds
-    float variation;
-    float relativeVariation;
-    FloatN h;      ///< of its piece
+    const RegionBounds& bounds;
+    FloatN h;      ///< of the part's piece
     FloatN length; ///< in voxels
 };
 
@@ -83,7 +82,7 @@ HWY_INLINE FloatN missedBeyond(FloatN lo, FloatN hi, const ExtentN& extent)
     const FloatN noise = FloatN(tuning::enclosureRounding) * max(abs(lo), abs(hi));
     const FloatN unseen = max(beyond - noise, 0.0f);
     // The variation may be infinite, and 0 times that is NaN.
-    return valueOrZero(unseen > FloatN(0.0f), unseen * FloatN(extent.variation) * extent.length);
+    return valueOrZero(unseen > FloatN(0.0f), unseen * FloatN(extent.bounds.variation) * extent.length);
 }
 
 /// The largest difference between the colours of two densities, 0 if one is transparent.
@@ -141,7 +140,8 @@ HWY_INLINE FloatN roundingOf(const TransferIntegralLookup& lookup, MaskN lanes, 
     const MaskN lost = noise >= rise;
     const FloatN share = noise / select(lost, 1.0f, rise);
     constexpr float knot = tuning::knotRounding, ofValues = knot / tuning::valueRounding;
-    const FloatN inside = min(0.5f * knot * extent.relativeVariation, ofValues * share * FloatN(extent.extinction));
+    const FloatN inside =
+        min(0.5f * knot * extent.bounds.relativeVariation, ofValues * share * FloatN(extent.bounds.extinction));
     const MaskN across = !(a.look.segment == b.look.segment);
     FloatN off = max(share * peakOf(a, b, mean), valueOrZero(across, inside));
     const FloatN below = max(lo - noise, extent.values.lo), above = min(hi + noise, extent.values.hi);

@@ -2,7 +2,7 @@
 #include "brickwall/tests/fuzz/Container.h"
 #include "brickwall/tests/fuzz/ReadAll.h"
 
-/// NRRD, attached and detached, and raw volumes, whose name and options say what they are.
+/// Data whose first file says what they are. Which reader is tried is a matter of the seeds and the dictionary.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count)
 {
     using namespace brickwall::fuzz;
