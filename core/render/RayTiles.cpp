@@ -87,7 +87,10 @@ std::optional<std::pair<double, double>> clip(const Box3d& box, const vec3d& org
 } // namespace
 
 ViewRays::ViewRays(const View& view, const Box3i& halfBounds, const mat4d& worldFromVoxel, bool interleave)
-    : view_(view), bounds_{0.5 * vec3d(halfBounds.lower), 0.5 * vec3d(halfBounds.upper)}, interleave_(interleave)
+    : view_(view),
+      bounds_{0.5 * vec3d(halfBounds.lower), 0.5 * vec3d(halfBounds.upper)},
+      interleave_(interleave),
+      voxelWidth_(stretchOf(worldFromVoxel))
 {
     checkView(view);
     const mat4d voxelFromWorld = glm::inverse(worldFromVoxel);
@@ -123,7 +126,8 @@ void ViewRays::fill(int x, int y, TilePixels& pixels, RayTile& rays) const
         pixels.worldDirection[n] = rayDirection(view_, screenX, screenY);
         pixels.voxelLength[n] = glm::length(direction);
         rays.offset[n] = interleave_ ? offsetOfPixel(screenX, screenY) : 0.0f;
-        rays.worldStretch[n] = static_cast<float>(glm::length(pixels.worldDirection[n]) / pixels.voxelLength[n]);
+        const double worldLength = glm::length(pixels.worldDirection[n]) / voxelWidth_;
+        rays.worldStretch[n] = static_cast<float>(worldLength / pixels.voxelLength[n]);
         setRay(n, direction / pixels.voxelLength[n], rays);
         ++n;
     }

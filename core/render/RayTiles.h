@@ -66,6 +66,7 @@ private:
     vec3d right_;
     vec3d up_;
     vec3i origin_;
+    double voxelWidth_;  ///< world space, the mean
     double start_ = 0.0; ///< distance from the eye at which the rays' parameters start: no data is nearer
 };
 

@@ -69,7 +69,7 @@ void checkTolerance(const BoundedConfig& config)
 
 std::array<double, 6> gradientMetric(const mat4d& worldFromVoxel)
 {
-    const glm::dmat3 inverse = glm::inverse(glm::dmat3(worldFromVoxel));
+    const glm::dmat3 inverse = stretchOf(worldFromVoxel) * glm::inverse(glm::dmat3(worldFromVoxel));
     const glm::dmat3 g = inverse * glm::transpose(inverse);
     return {g[0][0], g[1][1], g[2][2], g[0][1], g[0][2], g[1][2]};
 }

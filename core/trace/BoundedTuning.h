@@ -21,7 +21,7 @@ inline constexpr float leastLeft = 0.05f;
 /// A sample would err by T variationAlong h^2 / 4 if all went as badly as its region allows (RegionBounds). How much
 /// less it is taken to be. Tuned: taken at its word, the bound is some 30 times too pessimistic (steps of 0.01 cells at
 /// a tolerance of 1/255).
-inline constexpr float trust = 8.0f;
+inline constexpr float trust = 6.0f;
 /// How much longer than that steps may be where samples resolve what is there. Tuned.
 inline constexpr float resolvedTrust = 2.5f;
 /// They do where the extinction changes by at most this share of its largest from one sample to the next.

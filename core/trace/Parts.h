@@ -138,12 +138,12 @@ HWY_INLINE FloatN roundingOf(const TransferIntegralLookup& lookup, MaskN lanes, 
     const FloatN lo = min(a.value, b.value), hi = max(a.value, b.value), rise = hi - lo;
     const FloatN noise = FloatN(tuning::valueRounding) * max(abs(lo), abs(hi));
     const MaskN lost = noise >= rise;
-    const FloatN share = noise / select(lost, 1.0f, rise);
+    const FloatN share = select(lost, 1.0f, noise / select(lost, 1.0f, rise));
     constexpr float knot = tuning::knotRounding, ofValues = knot / tuning::valueRounding;
     const FloatN inside =
         min(0.5f * knot * extent.bounds.relativeVariation, ofValues * share * FloatN(extent.bounds.extinction));
-    const MaskN across = !(a.look.segment == b.look.segment);
-    FloatN off = max(share * peakOf(a, b, mean), valueOrZero(across, inside));
+    const MaskN atKnot = lost | !(a.look.segment == b.look.segment);
+    FloatN off = max(share * peakOf(a, b, mean), valueOrZero(atKnot, inside));
     const FloatN below = max(lo - noise, extent.values.lo), above = min(hi + noise, extent.values.hi);
     const MaskN unclear = lanes & lost & ((below < lo) | (above > hi));
     if (any(unclear))

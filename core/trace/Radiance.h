@@ -82,7 +82,7 @@ public:
         const FloatN gz = fma(x, metric_[4], fma(y, metric_[5], z * metric_[2]));
         const FloatN squared = fma(x, gx, fma(y, gy, z * gz));
         const FloatN cosine = clamp(along * reciprocalStretch_ / sqrt(squared), -1.0f, 1.0f);
-        return select(squared > FloatN(1e-24f), cosine, 1.0f);
+        return select(squared > FloatN(noGradientSquared), cosine, 1.0f);
     }
 
 private:

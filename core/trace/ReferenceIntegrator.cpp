@@ -50,7 +50,7 @@ public:
         const auto& m = metric_;
         const double squared = m[0] * g.x * g.x + m[1] * g.y * g.y + m[2] * g.z * g.z +
                                2.0 * (m[3] * g.x * g.y + m[4] * g.x * g.z + m[5] * g.y * g.z);
-        if (!(squared > 1e-24))
+        if (!(squared > noGradientSquared))
             return 1.0;
         return std::min(1.0, std::abs(glm::dot(g, ray_.dir)) / (ray_.worldStretch * std::sqrt(squared)));
     }

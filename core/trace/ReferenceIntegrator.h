@@ -18,7 +18,7 @@ struct ReferenceRay
 {
     vec3d org, dir; ///< t is taken as the length in voxels: |dir| = 1
     double tNear, tFar;
-    double worldStretch = 1.0; ///< length in world space of `dir`
+    double worldStretch = 1.0; ///< length in world space of `dir`, in mean widths of a voxel there
 };
 
 /// Where B takes a surface's value. A crossing, a tangent ray and a stretch in which B has just that value are one hit

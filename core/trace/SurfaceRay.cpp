@@ -125,7 +125,7 @@ float SurfaceRay::shade(const vec3d& gradient) const
     const std::array<float, 6>& m = scene_.gradientMetric;
     const double squared = g.x * g.x * m[0] + g.y * g.y * m[1] + g.z * g.z * m[2] +
                            2.0 * (g.x * g.y * m[3] + g.x * g.z * m[4] + g.y * g.z * m[5]);
-    if (!(squared > 1e-24))
+    if (!(squared > noGradientSquared))
         return 1.0f;
     const double along = 0.5 * glm::dot(g, ray_.dir);
     return static_cast<float>(std::min(std::abs(along) / (worldStretch_ * std::sqrt(squared)), 1.0));

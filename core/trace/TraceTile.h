@@ -30,7 +30,7 @@ struct RayTile
     /// Where the whole ray ends, if [tNear, tFar] is a part of it; not used if less than tFar.
     alignas(64) PerRay<float> tEnd{};
     alignas(64) PerRay<float> offset{};       ///< of the sample planes, in steps, in [0, 1)
-    alignas(64) PerRay<float> worldStretch{}; ///< length in world space of `dir`
+    alignas(64) PerRay<float> worldStretch{}; ///< length in world space of `dir`, in mean widths of a voxel there
 };
 
 /// What tracing rays has cost, summed over them.
@@ -71,10 +71,15 @@ struct TraceScene
     std::span<const RegionBounds> regionBounds; ///< one per region; for the bounded method
     /// Half voxels; a point near the eye and the data, so that floats relative to it are precise.
     vec3i origin{0};
-    /// G = worldFromVoxel^-1 worldFromVoxel^-T (xx, yy, zz, xy, xz, yz): a gradient g in voxel space has the length
-    /// sqrt(g G g) in world space.
+    /// G = M^-1 M^-T (xx, yy, zz, xy, xz, yz), M = worldFromVoxel / stretchOf(worldFromVoxel): a gradient g in voxel
+    /// space has the length sqrt(g G g) in world space, per mean width of a voxel there. Angles do not depend on the
+    /// unit of length, but the squares of a galaxy's centimetres are more than floats can hold.
     std::array<float, 6> gradientMetric{1, 1, 1, 0, 0, 0};
 };
+
+/// A gradient whose squared length, in the field's span per mean width of a voxel, is not more than this has no
+/// direction: floats cannot hold much smaller squares.
+inline constexpr float noGradientSquared = 1e-36f;
 
 /// What the bounded method keeps: see Renderer.h.
 struct BoundedParameters

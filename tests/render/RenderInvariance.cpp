@@ -68,6 +68,28 @@ TEST_F(RenderInvariance, AHostThatMirrorsGetsTheMirroredPicture)
     EXPECT_GT(alpha, 100.0);
 }
 
+TEST_F(RenderInvariance, TheUnitOfLengthDoesNotChangeTheBits)
+{
+    // Squares of gradients per centimetre of a galaxy vanished in floats, and with them the headlight.
+    scene.surfaces = {{0.3f, {0.9f, 0.6f, 0.3f}, 0.5f}};
+    const auto inUnitsOf = [&](double unit, Method method) {
+        Scene scaled = scene;
+        scaled.worldFromVoxel = glm::scale(mat4d(1.0), vec3d(unit)) * scene.worldFromVoxel;
+        settings.method = method;
+        const View v = viewOfCamera("test", unit * vec3d(-25, 40, -30), unit * vec3d(16, 15, 18), {0, 1, 0}, 50.0, 19,
+                                    13, 0.1 * unit, 1e7 * unit);
+        return renderOne(scaled, v, settings);
+    };
+    for (const Method method : {Method::bounded, Method::midpoint, Method::reference}) {
+        const Frame expected = inUnitsOf(1.0, method);
+        for (const double unit : {0x1p-80, 0x1p80})
+            expectSameBits(inUnitsOf(unit, method), expected);
+        settings.shading = Shading::off;
+        EXPECT_GT(difference(inUnitsOf(1.0, method), expected), 0.1);
+        settings.shading = Shading::headlight;
+    }
+}
+
 TEST_F(RenderInvariance, ThreadsDoNotChangeTheBits)
 {
     expectSameBits(renderOne(scene, view, settings, 1), renderOne(scene, view, settings, 2));
