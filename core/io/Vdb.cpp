@@ -160,21 +160,20 @@ private:
     {
         const VdbLevel& to = masks.back().level;
         openvdb::CoordBBox bounds;
+        std::uint64_t stored = 0;
         for (const VdbMask& mask : masks) {
             openvdb::CoordBBox box;
+            stored += storedCount(mask.active);
             if (!mask.active.evalActiveVoxelBoundingBox(box))
                 continue;
             const int steps = to.level - mask.level.level;
             for (const openvdb::Coord& c : {box.min() + mask.level.shift, box.max() + mask.level.shift})
                 bounds.expand(openvdb::Coord(c.x() >> steps, c.y() >> steps, c.z() >> steps) - to.shift);
         }
-        if (!bounds.empty() && bounds.volume() >= (std::uint64_t(1) << 32))
-            throw Error(file_.path(),
-                        fmt::format("expected fewer than 2^32 cells with the background, found {} within the "
-                                    "bounds of the active voxels",
-                                    bounds.volume()));
-        if (!bounds.empty())
-            masks.back().active.denseFill(bounds, true, true);
+        if (bounds.empty())
+            return;
+        checkExpansion(volumeOf(bounds), stored, file_.path() + ":background");
+        masks.back().active.denseFill(bounds, true, true);
     }
 
     Field readField(const LeafPlan& plan, const ArrayField& wanted, const Grids& grids,

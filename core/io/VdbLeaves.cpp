@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <memory>
@@ -132,9 +133,11 @@ void appendVoxels(const MaskTree& mask, const VdbLevel& level, std::vector<Brick
 }
 
 /// Tiles as cells, where they may be; the others are made voxels in the mask.
-void appendTiles(MaskTree& mask, const VdbLevel& level, std::vector<Brick>& bricks)
+void appendTiles(MaskTree& mask, const VdbLevel& level, const std::string& place, std::vector<Brick>& bricks)
 {
     std::vector<CoordBBox> misaligned;
+    const std::uint64_t stored = storedCount(mask);
+    double filled = 0.0;
     auto it = mask.cbeginValueOn();
     it.setMaxDepth(MaskTree::ValueOnCIter::LEAF_DEPTH - 1);
     for (; it; ++it) {
@@ -147,41 +150,69 @@ void appendTiles(MaskTree& mask, const VdbLevel& level, std::vector<Brick>& bric
         const vec3i cell = toVec(box.min() + level.shift);
         if (tileLevel <= maxLevel && cell % width == vec3i(0))
             bricks.push_back({cell * (1 << level.level), vec3i(1), tileLevel, 0});
-        else
+        else {
             misaligned.push_back(box);
+            filled += volumeOf(box);
+        }
     }
+    checkExpansion(filled, stored, place);
     for (const CoordBBox& box : misaligned)
         mask.denseFill(box, true, true);
 }
 
-void checkCount(std::uint64_t cells, const std::string& place)
+void checkNotEmpty(std::uint64_t cells, const std::string& place)
 {
     if (cells == 0)
         throw Error(place, "expected active voxels, found none");
-    if (cells >= (std::uint64_t(1) << 32))
-        throw Error(place, fmt::format("expected fewer than 2^32 cells, found {}", cells));
 }
 
 } // namespace
+
+std::uint64_t storedCount(const MaskTree& mask)
+{
+    return mask.activeLeafVoxelCount() + mask.activeTileCount();
+}
+
+double volumeOf(const CoordBBox& box)
+{
+    double volume = 1.0;
+    for (int axis = 0; axis < 3; ++axis)
+        volume *= double(box.max()[axis]) - box.min()[axis] + 1.0;
+    return volume;
+}
+
+void checkExpansion(double cells, std::uint64_t stored, const std::string& place)
+{
+    if (cells >= 0x1p32)
+        throw Error(place, fmt::format("expected fewer than 2^32 cells, found {}", cells));
+    const double most = std::max(0x1p24, 1000.0 * double(stored));
+    if (cells > most)
+        throw Error(place,
+                    fmt::format("expected at most {} cells to be filled by {} active voxels and tiles (a thousand "
+                                "by each, or 2^24), found {}",
+                                most, stored, cells));
+}
 
 LeafPlan vdbLeaves(std::vector<VdbMask> masks, bool tiles, const std::string& place, Progress& progress)
 {
     progress.begin("leaving out covered cells", 0);
     LeafPlan plan;
-    std::uint64_t cells = 0;
+    std::uint64_t stored = 0;
+    double cells = 0.0;
     for (const VdbMask& mask : masks) {
         checkLimits(mask, place);
         plan.coveredCells += mask.active.activeVoxelCount();
-        cells +=
-            tiles ? mask.active.activeLeafVoxelCount() + mask.active.activeTileCount() : mask.active.activeVoxelCount();
+        stored += storedCount(mask.active);
+        cells += double(tiles ? storedCount(mask.active) : mask.active.activeVoxelCount());
     }
-    checkCount(cells, place);
+    checkNotEmpty(stored, place);
+    checkExpansion(cells, stored, place);
     std::vector<Leaves> leaves = leavesOf(masks, progress);
     for (std::size_t l = 0; l < masks.size(); ++l) {
         progress.check();
         plan.coveredCells -= leaves[l].own->activeVoxelCount();
         if (tiles)
-            appendTiles(*leaves[l].own, masks[l].level, plan.bricks);
+            appendTiles(*leaves[l].own, masks[l].level, place, plan.bricks);
         else
             leaves[l].own->voxelizeActiveTiles();
         appendVoxels(*leaves[l].own, masks[l].level, plan.bricks);
@@ -189,7 +220,7 @@ LeafPlan vdbLeaves(std::vector<VdbMask> masks, bool tiles, const std::string& pl
     }
     mergeBoxes(plan.bricks, BrickBuilderConfig{}.maxBrickWidth, progress);
     plan.cellCount = plan.bricks.back().begin + plan.bricks.back().cellCount();
-    checkCount(plan.cellCount, place);
+    checkExpansion(double(plan.cellCount), plan.cellCount, place);
     progress.end();
     return plan;
 }

@@ -298,6 +298,21 @@ TEST_F(Vdb, AbsurdExtentsAreRefused)
     EXPECT_TRUE(says(loadError(path_ + ":background"), {"data.vdb", "2^32"}));
 }
 
+TEST_F(Vdb, AFewVoxelsDoNotBecomeGigabytes)
+{
+    auto two = grid("d", 1.0, {{{0, 0, 0}, {0, 0, 0}}});
+    two->tree().setValueOn(Coord(999, 999, 999), 1.0f);
+    write({two});
+    EXPECT_TRUE(says(loadError(path_ + ":background"), {"data.vdb", "1000000000", "2 active voxels"}));
+
+    auto tiles = grid("a", 1.0, {}), coarse = grid("b", 2.0, {{{0, 0, 0}, {0, 0, 0}}});
+    for (int i = 0; i < 10; ++i)
+        tiles->tree().addTile(2, Coord(128 * i, 0, 0), 5.0f, true);
+    write({tiles, coarse});
+    EXPECT_TRUE(says(loadError(path_), {"data.vdb", "11 active voxels and tiles"}));
+    EXPECT_EQ(loadData(path_, {"a"}).cellCount, 10u);
+}
+
 TEST_F(Vdb, NonFiniteValuesAreNamedOrLeftOut)
 {
     auto g = grid("d", 1.0, {{{0, 0, 0}, {3, 3, 3}}});
