@@ -34,6 +34,16 @@ struct Extents
     std::array<hsize_t, 5> of{};
 };
 
+/// Values that an earlier edit has put elsewhere: a virtual dataset may be its own source, which libhdf5 reads without
+/// end.
+bool storedInFile(hid_t data)
+{
+    const hid_t layout = H5Dget_create_plist(data);
+    const bool stored = H5Pget_layout(layout) != H5D_VIRTUAL && H5Pget_external_count(layout) == 0;
+    H5Pclose(layout);
+    return stored;
+}
+
 void patchData(hid_t file, const std::string& path, FuzzedDataProvider& input)
 {
     const hid_t data = H5Dopen2(file, path.c_str(), H5P_DEFAULT);
@@ -41,7 +51,8 @@ void patchData(hid_t file, const std::string& path, FuzzedDataProvider& input)
         return;
     const hid_t type = H5Dget_type(data), space = H5Dget_space(data);
     const double bytes = double(H5Sget_simple_extent_npoints(space)) * double(H5Tget_size(type));
-    if (bytes > 0 && bytes <= double(mostBytes) && H5Tdetect_class(type, H5T_VLEN) <= 0 && !H5Tis_variable_str(type)) {
+    const bool plain = H5Tdetect_class(type, H5T_VLEN) <= 0 && !H5Tis_variable_str(type) && storedInFile(data);
+    if (bytes > 0 && bytes <= double(mostBytes) && plain) {
         std::vector<char> elements(static_cast<std::size_t>(bytes));
         H5Dread(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, elements.data());
         patch(elements, type, input);
