@@ -2,13 +2,9 @@
 #include "brickwall/plugin/MultiChannelDrawer.h"
 
 #include "brickwall/core/base/Error.h"
+#include "brickwall/plugin/ChannelPass.h"
 #include "brickwall/plugin/DrawerShaders.h"
-#include "brickwall/plugin/ViewportQuad.h"
-
-#include <osg/BufferObject>
-#include <osg/Image>
-#include <osg/Texture2D>
-#include <osgUtil/CullVisitor>
+#include "brickwall/plugin/DrawerView.h"
 
 #include <fmt/format.h>
 
@@ -18,114 +14,38 @@
 namespace brickwall {
 namespace {
 
-struct PixelFormat
-{
-    GLint internal;
-    GLenum source;
-};
-constexpr PixelFormat colorFormat{GL_RGBA32F_ARB, GL_RGBA};
-constexpr PixelFormat depthFormat{GL_R32F, GL_RED};
+constexpr const char* place = "MultiChannelDrawer";
+constexpr double marginOfMesh = 1.0 / 8.0;
 
-osg::ref_ptr<osg::Image> makeImage(int width, int height, const PixelFormat& format)
+osg::ref_ptr<osg::Group> makePassGroup(DrawerPass pass, MultiChannelDrawer::Mode mode)
 {
-    if (width == 0)
-        return nullptr;
-    osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->allocateImage(width, height, 1, format.source, GL_FLOAT);
-    image->setInternalTextureFormat(format.internal);
-    image->setDataVariance(osg::Object::DYNAMIC);
-    // Uploading from a buffer object of its own lets the driver copy while the next frame is being rendered.
-    image->setPixelBufferObject(new osg::PixelBufferObject(image));
-    return image;
-}
-
-osg::ref_ptr<osg::Texture2D> makeTexture(const PixelFormat& format)
-{
-    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D;
-    texture->setDataVariance(osg::Object::DYNAMIC);
-    texture->setInternalFormat(format.internal);
-    texture->setSourceFormat(format.source);
-    texture->setSourceType(GL_FLOAT);
-    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST);
-    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::NEAREST);
-    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
-    texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
-    texture->setResizeNonPowerOfTwoHint(false);
-    return texture;
+    osg::ref_ptr<osg::Group> group = new osg::Group;
+    group->setCullingActive(false);
+    group->setStateSet(makePassState(pass, mode));
+    return group;
 }
 
 } // namespace
 
-struct MultiChannelDrawer::ViewData : osg::Referenced
+MultiChannelDrawer::MultiChannelDrawer(osg::ref_ptr<const ChannelSource> channels, bool flipped)
+    : channels_(std::move(channels)),
+      flipped_(flipped),
+      background_(new osg::Uniform(drawerState::backgroundName, osg::Vec3f()))
 {
-    struct Images
-    {
-        int width = 0;
-        int height = 0;
-        osg::ref_ptr<osg::Image> color;
-        osg::ref_ptr<osg::Image> depth;
-
-        void resize(int newWidth, int newHeight)
-        {
-            if (newWidth == width && newHeight == height)
-                return;
-            width = newWidth;
-            height = newHeight;
-            color = makeImage(width, height, colorFormat);
-            depth = makeImage(width, height, depthFormat);
-        }
-    };
-
-    Images front;
-    Images back;
-    bool written = false;
-    osg::Matrixd nextMatrix;  ///< of the back images
-    osg::Matrixd shownMatrix; ///< of the front images
-    osg::ref_ptr<osg::Texture2D> color = makeTexture(colorFormat);
-    osg::ref_ptr<osg::Texture2D> depth = makeTexture(depthFormat);
-    osg::ref_ptr<osg::Geometry> quad = makeViewportQuad();
-
-    ViewData()
-    {
-        osg::StateSet* state = quad->getOrCreateStateSet();
-        state->setDataVariance(osg::Object::DYNAMIC);
-        state->setTextureAttribute(drawerState::colorUnit, color);
-        state->setTextureAttribute(drawerState::depthUnit, depth);
-    }
-
-    void swap()
-    {
-        std::swap(front, back);
-        shownMatrix = nextMatrix;
-        back.resize(front.width, front.height);
-        written = false;
-        if (!front.color)
-            return;
-        front.color->dirty();
-        front.depth->dirty();
-        color->setImage(front.color);
-        depth->setImage(front.depth);
-    }
-};
-
-MultiChannelDrawer::MultiChannelDrawer(osg::ref_ptr<const ChannelSource> channels)
-    : channels_(std::move(channels)), background_(new osg::Uniform(drawerState::backgroundName, osg::Vec3f()))
-{
-    setName("MultiChannelDrawer");
+    setName(place);
     setCullingActive(false);
-    setStateSet(makeDrawerState());
     background_->setDataVariance(osg::Object::DYNAMIC);
-    getStateSet()->addUniform(background_);
-    setNumViews(-1);
+    setStateSet(makeDrawerState(background_));
     update();
+    setNumViews(-1);
 }
 
 MultiChannelDrawer::~MultiChannelDrawer() = default;
 
-MultiChannelDrawer::ViewData& MultiChannelDrawer::at(int view) const
+DrawerView& MultiChannelDrawer::at(int view) const
 {
     if (view < 0 || view >= numViews())
-        throw Error("MultiChannelDrawer", fmt::format("there is no view {}; it has {}", view, numViews()));
+        throw Error(place, fmt::format("there is no view {}; it has {}", view, numViews()));
     return *views_[view];
 }
 
@@ -137,15 +57,110 @@ int MultiChannelDrawer::numViews() const
 void MultiChannelDrawer::setNumViews(int count)
 {
     if (count < -1)
-        throw Error("MultiChannelDrawer",
-                    fmt::format("expected a number of views, or -1 for one per channel, not {}", count));
-    views_.resize(count < 0 ? channels_->numChannels() : count);
-    removeChildren(0, getNumChildren());
-    for (osg::ref_ptr<ViewData>& view : views_) {
-        if (!view)
-            view = new ViewData;
-        addChild(view->quad);
+        throw Error(place, fmt::format("expected a number of views, or -1 for one per channel, not {}", count));
+    const int channels = int(current_.size());
+    views_.resize(count < 0 ? channels : count);
+    for (int i = 0; i < numViews(); ++i) {
+        if (views_[i])
+            continue;
+        views_[i] = new DrawerView;
+        views_[i]->eye = i < channels ? current_[i].eye : Eye::middle;
     }
+    arrange();
+}
+
+Eye MultiChannelDrawer::viewEye(int view) const
+{
+    return at(view).eye;
+}
+
+void MultiChannelDrawer::setViewEye(int view, Eye eye)
+{
+    if (at(view).eye == eye)
+        return;
+    at(view).eye = eye;
+    arrange();
+}
+
+void MultiChannelDrawer::setMode(Mode mode)
+{
+    if (mode == mode_)
+        return;
+    mode_ = mode;
+    arrange();
+}
+
+void MultiChannelDrawer::setViewsToRender(ViewSelection selection)
+{
+    if (selection == selection_)
+        return;
+    selection_ = selection;
+    arrange();
+}
+
+bool MultiChannelDrawer::shows(int view, int channel) const
+{
+    if (selection_ == MatchingEye)
+        return views_[view]->eye == current_[channel].eye;
+    return selection_ == All || view == channel;
+}
+
+void MultiChannelDrawer::arrange()
+{
+    removeChildren(0, getNumChildren());
+    passes_.clear();
+    const int channels = int(current_.size());
+    const auto pass = [&](int view, int channel, DrawerPass kind) {
+        // Beyond the edge of another channel's image there is something else to see than its continuation.
+        const double margin = view == channel && mode_ == ReprojectMesh ? marginOfMesh : 0.0;
+        passes_.push_back(new ChannelPass(views_[view], channels_, channel, kind,
+                                          {.flipped = flipped_, .margin = margin, .alone = selection_ == Same}));
+        passes_.back()->setModel(current_[channel].model);
+        return passes_.back().get();
+    };
+    for (const DrawerPass kind :
+         {DrawerPass::asIs, DrawerPass::asIsWithoutDepth, DrawerPass::depth, DrawerPass::color}) {
+        if (mode_ == AsIs && isWarped(kind))
+            continue;
+        const osg::ref_ptr<osg::Group> group = makePassGroup(kind, mode_);
+        for (int view = 0; view < numViews(); ++view) {
+            for (int channel = 0; channel < channels; ++channel) {
+                if (isWarped(kind) ? shows(view, channel) : view == channel)
+                    group->addChild(pass(view, channel, kind));
+            }
+        }
+        addChild(group);
+    }
+    shareGrids();
+}
+
+void MultiChannelDrawer::shareGrids()
+{
+    if (mode_ == AsIs) {
+        for (const auto& view : views_)
+            view->grid = nullptr;
+        return;
+    }
+    const bool mesh = isMesh(mode_);
+    std::vector<osg::ref_ptr<PixelGrid>> grids;
+    for (const auto& view : views_)
+        grids.push_back(view->grid);
+    for (const auto& view : views_) {
+        const int width = view->front().width, height = view->front().height;
+        if (!view->canReproject() || (view->grid && view->grid->serves(width, height, mesh)))
+            continue;
+        const auto found = std::find_if(grids.begin(), grids.end(), [&](const osg::ref_ptr<PixelGrid>& grid) {
+            return grid && grid->serves(width, height, mesh);
+        });
+        if (found != grids.end()) {
+            view->grid = *found;
+        } else {
+            view->grid = new PixelGrid(width, height, mesh);
+            grids.push_back(view->grid);
+        }
+    }
+    for (const auto& pass : passes_)
+        pass->refresh();
 }
 
 void MultiChannelDrawer::update()
@@ -153,6 +168,8 @@ void MultiChannelDrawer::update()
     current_.resize(channels_->numChannels());
     for (int i = 0; i < int(current_.size()); ++i)
         current_[i] = channels_->channel(i);
+    for (const auto& pass : passes_)
+        pass->setModel(current_[pass->channel()].model);
 }
 
 const osg::Matrixd& MultiChannelDrawer::modelMatrix(int i) const
@@ -178,21 +195,27 @@ void MultiChannelDrawer::setBackground(const vec3f& linear)
 void MultiChannelDrawer::updateMatrices(int view, const osg::Matrixd& model, const osg::Matrixd& viewing,
                                         const osg::Matrixd& projection)
 {
-    at(view).nextMatrix = model * viewing * projection;
+    at(view).next = {true, model * viewing * projection, projection};
 }
 
 osg::Matrixd MultiChannelDrawer::imageMatrix(int view) const
 {
-    return at(view).shownMatrix;
+    return at(view).shown().modelviewProjection;
 }
 
-void MultiChannelDrawer::resizeView(int view, int width, int height)
+void MultiChannelDrawer::resizeView(int view, int width, int height, GLenum depthFormat, GLenum colorFormat)
 {
     if (width < 0 || height < 0 || (width == 0) != (height == 0))
-        throw Error("MultiChannelDrawer", fmt::format("view {} cannot be {} x {} pixels", view, width, height));
-    ViewData& data = at(view);
-    data.written = data.written || width != data.back.width || height != data.back.height;
-    data.back.resize(width, height);
+        throw Error(place, fmt::format("view {} cannot be {} x {} pixels", view, width, height));
+    if ((depthFormat != GL_FLOAT && depthFormat != 0) || colorFormat != GL_FLOAT)
+        throw Error(place, fmt::format("view {} cannot have depth format {:#x} with colour format {:#x}; expected "
+                                       "GL_FLOAT, or 0 for no depth, and GL_FLOAT",
+                                       view, depthFormat, colorFormat));
+    DrawerView& data = at(view);
+    const bool hasDepth = depthFormat != 0;
+    const DrawerView::Images& back = data.back;
+    data.written = data.written || width != back.width || height != back.height || hasDepth != back.hasDepth;
+    data.back.resize(width, height, hasDepth);
 }
 
 int MultiChannelDrawer::width(int view) const
@@ -207,14 +230,14 @@ int MultiChannelDrawer::height(int view) const
 
 vec4f* MultiChannelDrawer::rgba(int view)
 {
-    ViewData& data = at(view);
+    DrawerView& data = at(view);
     data.written = true;
     return data.back.color ? reinterpret_cast<vec4f*>(data.back.color->data()) : nullptr;
 }
 
 float* MultiChannelDrawer::depth(int view)
 {
-    ViewData& data = at(view);
+    DrawerView& data = at(view);
     data.written = true;
     return data.back.depth ? reinterpret_cast<float*>(data.back.depth->data()) : nullptr;
 }
@@ -226,29 +249,17 @@ void MultiChannelDrawer::clearColor(int view)
 
 void MultiChannelDrawer::clearDepth(int view)
 {
-    std::fill_n(depth(view), std::size_t(width(view)) * height(view), 1.0f);
+    if (float* pixels = depth(view))
+        std::fill_n(pixels, std::size_t(width(view)) * height(view), 1.0f);
 }
 
 void MultiChannelDrawer::swapFrame()
 {
-    for (osg::ref_ptr<ViewData>& view : views_) {
+    for (const auto& view : views_) {
         if (view->written)
             view->swap();
     }
-}
-
-void MultiChannelDrawer::traverse(osg::NodeVisitor& visitor)
-{
-    osgUtil::CullVisitor* cull = visitor.asCullVisitor();
-    if (!cull) {
-        osg::Group::traverse(visitor);
-        return;
-    }
-    const int count = std::min(numViews(), channels_->numChannels());
-    for (int i = 0; i < count; ++i) {
-        if (views_[i]->front.color && channels_->isDrawnBy(i, *cull))
-            views_[i]->quad->accept(visitor);
-    }
+    shareGrids();
 }
 
 } // namespace brickwall

@@ -19,19 +19,29 @@ void main()
 
 } // namespace
 
-osg::ref_ptr<osg::Geometry> makeViewportQuad()
+void shapeWithoutBounds(osg::Geometry& geometry)
+{
+    geometry.setUseDisplayList(false);
+    geometry.setUseVertexBufferObjects(true);
+    geometry.setComputeBoundingBoxCallback(new osg::Drawable::ComputeBoundingBoxCallback);
+    geometry.setCullingActive(false);
+    geometry.setDataVariance(osg::Object::DYNAMIC);
+}
+
+void shapeAsViewportQuad(osg::Geometry& geometry)
 {
     osg::ref_ptr<osg::Vec2Array> corners = new osg::Vec2Array(osg::Array::BIND_PER_VERTEX);
     for (const osg::Vec2& corner : {osg::Vec2(-1, -1), osg::Vec2(1, -1), osg::Vec2(-1, 1), osg::Vec2(1, 1)})
         corners->push_back(corner);
+    shapeWithoutBounds(geometry);
+    geometry.setVertexAttribArray(cornerAttribute, corners);
+    geometry.addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLE_STRIP, 0, 4));
+}
+
+osg::ref_ptr<osg::Geometry> makeViewportQuad()
+{
     osg::ref_ptr<osg::Geometry> quad = new osg::Geometry;
-    quad->setUseDisplayList(false);
-    quad->setUseVertexBufferObjects(true);
-    quad->setVertexAttribArray(cornerAttribute, corners);
-    quad->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLE_STRIP, 0, 4));
-    quad->setComputeBoundingBoxCallback(new osg::Drawable::ComputeBoundingBoxCallback);
-    quad->setCullingActive(false);
-    quad->setDataVariance(osg::Object::DYNAMIC);
+    shapeAsViewportQuad(*quad);
     return quad;
 }
 

@@ -1,12 +1,11 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "TestDisplay.h"
 #include "TestRigs.h"
+#include "WarpTesting.h"
 
 #include "brickwall/core/base/Error.h"
 
 #include <gtest/gtest.h>
-
-#include <osg/Geometry>
 
 #include <algorithm>
 
@@ -15,31 +14,6 @@ namespace {
 
 constexpr PixelRect whole{0, 0, 64, 48};
 const vec3f background = deskRig(1, 1).background;
-
-/// Red, unlit, upright at a distance in front of the viewer, over all of the screen and more.
-osg::ref_ptr<osg::Geometry> redWall(double lowerY, double upperY)
-{
-    osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array(osg::Array::BIND_PER_VERTEX);
-    corners->push_back(osg::Vec3(-20, lowerY, -20));
-    corners->push_back(osg::Vec3(20, lowerY, -20));
-    corners->push_back(osg::Vec3(-20, upperY, 20));
-    corners->push_back(osg::Vec3(20, upperY, 20));
-    osg::ref_ptr<osg::Vec4Array> color = new osg::Vec4Array(osg::Array::BIND_OVERALL);
-    color->push_back(osg::Vec4(1, 0, 0, 1));
-    osg::ref_ptr<osg::Geometry> wall = new osg::Geometry;
-    wall->setVertexArray(corners);
-    wall->setColorArray(color);
-    wall->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLE_STRIP, 0, 4));
-    wall->getOrCreateStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::OFF);
-    return wall;
-}
-
-/// Window depth of something that far in front of the viewer, with the desk rig's near and far.
-float depthAt(double distance)
-{
-    const double near = 0.1, far = 10.0;
-    return float(far / (far - near) * (1.0 - near / distance));
-}
 
 struct DrawnDesk : ShownRig
 {
