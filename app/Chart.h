@@ -1,9 +1,8 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "SceneSetup.h"
-
 #include "brickwall/core/render/Renderer.h"
+#include "brickwall/core/scene/SceneSetup.h"
 
 #include <string>
 #include <vector>

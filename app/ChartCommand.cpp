@@ -7,6 +7,7 @@
 #include "TerminalProgress.h"
 
 #include "brickwall/core/render/Similarity.h"
+#include "brickwall/core/scene/SceneArguments.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

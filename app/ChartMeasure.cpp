@@ -1,7 +1,7 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "Chart.h"
-#include "Stopwatch.h"
 
+#include "brickwall/core/base/Stopwatch.h"
 #include "brickwall/core/render/Compare.h"
 #include "brickwall/core/render/Similarity.h"
 

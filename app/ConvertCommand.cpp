@@ -1,10 +1,10 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "Commands.h"
-#include "SceneOptions.h"
 #include "TerminalProgress.h"
 
 #include "brickwall/core/base/Error.h"
 #include "brickwall/core/io/Convert.h"
+#include "brickwall/core/scene/SceneArguments.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,10 +1,12 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "Commands.h"
-#include "SceneSetup.h"
+#include "PeakMemory.h"
 #include "TerminalProgress.h"
 
 #include "brickwall/core/io/VectorFields.h"
 #include "brickwall/core/model/Regions.h"
+#include "brickwall/core/scene/SceneArguments.h"
+#include "brickwall/core/scene/SceneSetup.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

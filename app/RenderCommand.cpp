@@ -2,13 +2,14 @@
 #include "Commands.h"
 #include "Folder.h"
 #include "RenderViews.h"
-#include "SceneSetup.h"
 #include "Statistics.h"
-#include "Stopwatch.h"
 #include "TerminalProgress.h"
 
+#include "brickwall/core/base/Stopwatch.h"
 #include "brickwall/core/render/ImageFiles.h"
 #include "brickwall/core/render/Legend.h"
+#include "brickwall/core/scene/SceneArguments.h"
+#include "brickwall/core/scene/SceneSetup.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

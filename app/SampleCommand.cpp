@@ -1,9 +1,10 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "Commands.h"
-#include "SceneSetup.h"
 #include "TerminalProgress.h"
 
 #include "brickwall/core/io/DataSet.h"
+#include "brickwall/core/scene/SceneArguments.h"
+#include "brickwall/core/scene/SceneSetup.h"
 #include "brickwall/core/trace/SamplePoints.h"
 
 #include <CLI/CLI.hpp>

@@ -1,5 +1,6 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "Statistics.h"
+#include "PeakMemory.h"
 
 #include "brickwall/core/base/WholeFile.h"
 

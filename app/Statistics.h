@@ -1,7 +1,7 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "SceneSetup.h"
+#include "brickwall/core/scene/SceneSetup.h"
 
 #include <string>
 #include <vector>

@@ -1,8 +1,10 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "Commands.h"
-#include "SceneSetup.h"
 #include "TerminalProgress.h"
 #include "ViewFile.h"
+
+#include "brickwall/core/scene/SceneArguments.h"
+#include "brickwall/core/scene/SceneSetup.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,10 +1,11 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "Commands.h"
 #include "RenderViews.h"
-#include "SceneSetup.h"
 #include "TerminalProgress.h"
 
 #include "brickwall/channels/RigFiles.h"
+#include "brickwall/core/scene/SceneArguments.h"
+#include "brickwall/core/scene/SceneSetup.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,10 +1,9 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "SceneOptions.h"
-
 #include "brickwall/core/render/Frame.h"
 #include "brickwall/core/render/View.h"
+#include "brickwall/core/scene/SceneOptions.h"
 
 #include <optional>
 #include <string>

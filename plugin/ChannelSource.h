@@ -27,8 +27,8 @@ struct OutputChannel
 };
 
 /// The output channels of a host program (the rig viewer, COVER), one entry per channel and eye, left before right.
-/// The number of channels never changes. Called from the update phase, isDrawnBy from cull traversals, several at a
-/// time.
+/// A source whose number of channels changes does so in the update phase, before its user calls setNumViews(-1) of the
+/// drawer. Called from the update phase, isDrawnBy from cull traversals, several at a time.
 class ChannelSource : public osg::Referenced
 {
 public:

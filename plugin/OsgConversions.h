@@ -17,4 +17,9 @@ inline osg::Matrixd toOsg(const mat4d& m)
     return osg::Matrixd(glm::value_ptr(m));
 }
 
+inline mat4d toGlm(const osg::Matrixd& m)
+{
+    return glm::make_mat4(m.ptr());
+}
+
 } // namespace brickwall

@@ -84,19 +84,29 @@ void RigChannels::hide(Entry& entry)
     entry.camera->setClearMask(0);
 }
 
-void RigChannels::show(Entry& entry, const ChannelView& view, const mat4d& roomFromWorld, double near, double far)
+OutputChannel RigChannels::outputOf(const ChannelView& view, const mat4d& roomFromWorld, double near, double far)
 {
     const auto inRoom = [&](const vec3d& p) { return transformPoint(roomFromWorld, p); };
     const vec3d eye = inRoom(view.view.eye);
     const vec3d lowerLeft = inRoom(view.view.lowerLeft);
     const vec3d lowerRight = inRoom(view.view.lowerRight);
     const vec3d upperRight = inRoom(view.view.upperRight);
-    entry.output.viewport = view.viewport;
-    entry.output.model = toOsg(roomFromWorld);
-    entry.output.view = toOsg(modelviewOfScreen(eye, lowerLeft, lowerRight, upperRight));
-    entry.output.projection =
+    OutputChannel output;
+    output.name = view.name;
+    output.eye = view.eye;
+    output.viewport = view.viewport;
+    output.model = toOsg(roomFromWorld);
+    output.view = toOsg(modelviewOfScreen(eye, lowerLeft, lowerRight, upperRight));
+    output.projection =
         toOsg(windowFromScreen(view.view) * projectionOfScreen(eye, lowerLeft, lowerRight, upperRight, near, far));
+    return output;
+}
 
+void RigChannels::show(Entry& entry, const ChannelView& view, const mat4d& roomFromWorld, double near, double far)
+{
+    const std::string name = entry.output.name;
+    entry.output = outputOf(view, roomFromWorld, near, far);
+    entry.output.name = name;
     osg::Camera& camera = *entry.camera;
     camera.setViewport(view.viewport.x, view.viewport.y, view.viewport.width, view.viewport.height);
     camera.setViewMatrix(entry.output.view);

@@ -26,6 +26,9 @@ public:
     /// Index of a rig's channel and eye, or -1.
     int indexOf(int rigChannel, Eye eye) const;
 
+    /// What a camera of the view has, with the eye's screen in the room.
+    static OutputChannel outputOf(const ChannelView& view, const mat4d& roomFromWorld, double near, double far);
+
     /// Points the cameras at these views, to draw a scene in the room. Channels without a view go black.
     void show(const RigViews& views, const mat4d& roomFromWorld, double near, double far);
 

@@ -5,10 +5,11 @@
 #include "brickwall/core/base/Error.h"
 #include "brickwall/plugin/Pictures.h"
 #include "brickwall/plugin/RigControls.h"
-#include "brickwall/plugin/RigRendering.h"
 #include "brickwall/plugin/RigWindows.h"
+#include "brickwall/plugin/ViewRendering.h"
 
 #include <chrono>
+#include <map>
 #include <optional>
 #include <set>
 #include <thread>
@@ -35,27 +36,37 @@ private:
     bool publishIfDone();
     void noteRefused(const RigViews& views);
 
+    /// What a set of frames was asked for.
+    struct Moment
+    {
+        RigViews views;
+        mat4d roomFromWorld;
+    };
+
     const Rig& rig_;
+    const FrameMaker& makeFrames_;
     Progress& progress_;
     RigNavigation navigation_;
     RigWindows windows_;
     Rig layout_;
-    std::optional<unsigned> renderedStamp_; ///< of the navigation, in the latest rendering started
+    std::optional<unsigned> renderedStamp_; ///< of the navigation, in the latest request
     std::vector<WindowSize> renderedSizes_;
     std::set<std::string> refused_;
     osg::ref_ptr<RigControls> controls_;
-    RigRendering rendering_; ///< last: it ends before what it writes to does
+    std::map<unsigned, Moment> moments_; ///< by the numbers of the requests
+    ViewRendering rendering_;            ///< last: it ends before what it writes to does
 };
 
 RigViewer::RigViewer(const Rig& rig, const Box3d& bounds, const FrameMaker& makeFrames, const ViewerOptions& options,
                      Progress& progress)
     : rig_(rig),
+      makeFrames_(makeFrames),
       progress_(progress),
       navigation_(rig, bounds),
       windows_(rig, windowSizes(rig, options.windowScale), options.windowScale, options.drawThreads),
       layout_(layoutOf(rig, windows_.sizes())),
       controls_(new RigControls(layout_, windows_, navigation_)),
-      rendering_(windows_.drawer(), windows_.channels(), makeFrames)
+      rendering_(windows_.drawer())
 {
     windows_.show({}, navigation_.roomFromWorld());
     windows_.viewer().addEventHandler(controls_);
@@ -77,19 +88,19 @@ void RigViewer::startRendering()
         layout_.viewers[i].roomFromHead = heads[i];
     RigViews views = viewsOfRig(layout_, navigation_.worldFromRoom());
     noteRefused(views);
-    rendering_.start(std::move(views), navigation_.roomFromWorld());
+    const mat4d roomFromWorld = navigation_.roomFromWorld();
+    const unsigned number = rendering_.request(windows_.requestOf(views, roomFromWorld), makeFrames_);
+    moments_.emplace(number, Moment{std::move(views), roomFromWorld});
 }
 
 bool RigViewer::publishIfDone()
 {
-    if (!rendering_.running() || !rendering_.waitFor(0ms))
+    const std::optional<unsigned> number = rendering_.publish();
+    if (!number)
         return false;
-    const RigMoment moment = rendering_.finish();
+    const Moment& moment = moments_.at(*number);
     windows_.show(moment.views, moment.roomFromWorld);
-    MultiChannelDrawer& drawer = windows_.drawer();
-    for (int i = 0; i < drawer.numViews(); ++i)
-        drawer.updateMatrices(i, drawer.modelMatrix(i), drawer.viewMatrix(i), drawer.projectionMatrix(i));
-    drawer.swapFrame();
+    moments_.erase(moments_.begin(), moments_.upper_bound(*number));
     return true;
 }
 
@@ -109,9 +120,10 @@ void RigViewer::showFrames(int count)
     for (int i = 0; i < count && !windows_.viewer().done(); ++i) {
         if (changed())
             startRendering();
-        while (rendering_.running() && !publishIfDone()) {
+        while (!rendering_.idle()) {
             progress_.check();
             rendering_.waitFor(20ms);
+            publishIfDone();
         }
         windows_.viewer().frame();
     }
@@ -122,7 +134,7 @@ void RigViewer::runUntilClosed()
     while (!windows_.viewer().done()) {
         progress_.check();
         const bool published = publishIfDone();
-        if (!rendering_.running() && changed())
+        if (changed())
             startRendering();
         if (published || windows_.viewer().checkNeedToDoFrame())
             windows_.viewer().frame();

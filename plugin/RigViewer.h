@@ -5,11 +5,9 @@
 #include "brickwall/core/base/Box.h"
 #include "brickwall/core/base/Progress.h"
 #include "brickwall/core/render/Renderer.h"
+#include "brickwall/plugin/ViewRendering.h"
 
-#include <functional>
-#include <span>
 #include <string>
-#include <vector>
 
 namespace brickwall {
 
@@ -24,9 +22,6 @@ struct ViewerOptions
     bool drawThreads = false; ///< a draw thread per window, for several graphics cards; otherwise all is drawn by one
     int renderThreads = 0;    ///< 0: one per core
 };
-
-/// Renders the views that a rig shows at the moment; called in a thread of its own, one call at a time.
-using FrameMaker = std::function<std::vector<Frame>(std::span<const View>, Progress&)>;
 
 /// Opens the windows of the rig and shows the data in them until the user quits; docs/viewer.md has the controls. All
 /// views are rendered beside drawing and event handling, again whenever data, heads or window sizes have changed; what

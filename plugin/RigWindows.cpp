@@ -126,6 +126,17 @@ void RigWindows::show(const RigViews& views, const mat4d& roomFromWorld)
     drawer_->update();
 }
 
+std::vector<RequestedView> RigWindows::requestOf(const RigViews& views, const mat4d& roomFromWorld) const
+{
+    std::vector<RequestedView> request;
+    for (const ChannelView& view : views.views) {
+        const OutputChannel output = RigChannels::outputOf(view, roomFromWorld, near_, far_);
+        request.push_back(
+            {channels_->indexOf(view.channel, view.eye), view.view, output.model, output.view, output.projection});
+    }
+    return request;
+}
+
 void RigWindows::setText(const std::string& text)
 {
     for (OpenWindow& window : windows_)

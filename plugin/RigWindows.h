@@ -5,6 +5,7 @@
 #include "brickwall/plugin/RigChannels.h"
 #include "brickwall/plugin/RigLayout.h"
 #include "brickwall/plugin/TextOverlay.h"
+#include "brickwall/plugin/ViewRendering.h"
 #include "brickwall/plugin/WindowCapture.h"
 
 #include <osg/MatrixTransform>
@@ -39,6 +40,9 @@ public:
 
     /// Cameras and scene for these views; RigChannels::show says how.
     void show(const RigViews& views, const mat4d& roomFromWorld);
+
+    /// The views with the matrices that `show` would draw them with, for the drawer's images.
+    std::vector<RequestedView> requestOf(const RigViews& views, const mat4d& roomFromWorld) const;
 
     /// Text over the upper left corner of every window; empty: none.
     void setText(const std::string& text);

@@ -3,6 +3,7 @@
 
 #include "brickwall/core/io/DataName.h"
 #include "brickwall/core/io/Formats.h"
+#include "brickwall/core/io/OpenIfKnown.h"
 #include "brickwall/core/io/Sample.h"
 
 #include <fmt/format.h>
@@ -55,20 +56,26 @@ std::span<const Format> formats()
     return all;
 }
 
-std::unique_ptr<DataSet> openDataSet(const std::string& data)
+std::unique_ptr<DataSet> openIfKnown(const std::string& data)
 {
-    const bool sample = data.starts_with("sample:");
     const DataName name = splitDataName(data);
-    if (!sample)
+    if (!data.starts_with("sample:"))
         checkExists(name.file);
-    std::string known;
-    for (const Format& format : formats()) {
+    for (const Format& format : formats())
         if (name.options.empty() || format.takesOptions)
             if (auto set = format.open(data))
                 return set;
+    return nullptr;
+}
+
+std::unique_ptr<DataSet> openDataSet(const std::string& data)
+{
+    if (auto set = openIfKnown(data))
+        return set;
+    std::string known;
+    for (const Format& format : formats())
         known += fmt::format("{}{} ({})", known.empty() ? "" : "; ", format.name, format.looksLike);
-    }
-    if (!name.options.empty())
+    if (!splitDataName(data).options.empty())
         throw Error(data,
                     "expected a file of a format that takes options after a colon (raw volume, NRRD, OpenVDB, VTKHDF)");
     throw Error(data, fmt::format("is of no format that can be read; expected one of: {}", known));

@@ -186,9 +186,21 @@ TransferFunction readTransferFunction(const std::string& path, const std::vector
     return tf;
 }
 
+TransferFunction transferFunctionOf(const std::string& json, const std::string& place)
+{
+    const TransferFunction tf = fromJson(json, place);
+    checkTransferFunction(tf, place);
+    return tf;
+}
+
 void writeTransferFunction(const TransferFunction& tf, const std::string& path)
 {
     checkTransferFunction(tf, path);
+    writeWholeFile(path, toJson(tf));
+}
+
+std::string toJson(const TransferFunction& tf)
+{
     const bool isOpacity = tf.kind == TransferFunction::Kind::opacity;
     std::string colors;
     for (const ColorPoint& p : tf.colors)
@@ -204,7 +216,7 @@ void writeTransferFunction(const TransferFunction& tf, const std::string& path)
         text += fmt::format("  \"reference_length\": {},\n", tf.referenceLength);
     text += fmt::format("  \"opacity_scale\": {},\n", tf.opacityScale);
     text += fmt::format("  \"{}\": [{}\n  ]\n}}\n", isOpacity ? "opacity" : "extinction", points);
-    writeWholeFile(path, text);
+    return text;
 }
 
 } // namespace brickwall

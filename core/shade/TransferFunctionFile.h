@@ -29,4 +29,8 @@ TransferFunction readTransferFunction(const std::string& path, const std::vector
 /// Writes the JSON; `readTransferFunction` gives it back, colours to rounding.
 void writeTransferFunction(const TransferFunction& tf, const std::string& path);
 
+/// The same JSON in memory, for files that have a transfer function among other things; `place` is for messages.
+TransferFunction transferFunctionOf(const std::string& json, const std::string& place);
+std::string toJson(const TransferFunction& tf);
+
 } // namespace brickwall

@@ -13,8 +13,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The house, from the ground up: a folder includes only its own files and those of folders before it.
-const std::vector<std::string> house = {"core/base",  "core/simd",   "core/model", "core/io", "core/shade",
-                                        "core/trace", "core/render", "channels",   "plugin",  "app"};
+const std::vector<std::string> house = {"core/base",  "core/simd",  "core/model",  "core/io",
+                                        "core/shade", "core/trace", "core/render", "core/scene",
+                                        "channels",   "plugin",     "app"};
 
 struct Include
 {

@@ -13,6 +13,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <thread>
 
@@ -152,6 +153,25 @@ TEST(RigViewer, EndsWhenItIsCancelledWhileAFrameIsRendered)
         options.frames = frames;
         EXPECT_THROW(runRigViewer(deskRig(32, 32), unitBox, neverDone, options, progress), Cancelled);
     }
+}
+
+TEST(RigViewer, TakesNextToNoTimeWhileNothingChanges)
+{
+    BRICKWALL_NEEDS_DISPLAY();
+    Progress progress;
+    double seconds = 0.0; // of all cores together
+    std::thread watcher([&] {
+        const auto used = [] { return double(std::clock()) / CLOCKS_PER_SEC; };
+        std::this_thread::sleep_for(std::chrono::seconds(3));
+        const double before = used();
+        std::this_thread::sleep_for(std::chrono::seconds(5));
+        seconds = used() - before;
+        progress.cancel();
+    });
+    EXPECT_THROW(runRigViewer(cornerRig(64, 64), unitBox, patterns, {}, progress), Cancelled);
+    watcher.join();
+    EXPECT_LT(seconds, 0.02 * 5.0);
+    RecordProperty("percent", std::to_string(100.0 * seconds / 5.0));
 }
 
 TEST(RigViewer, HandsOnWhatRenderingThrows)

@@ -5,6 +5,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <memory>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -14,58 +15,72 @@ namespace {
 
 std::string why = "the X server was not started";
 
-/// Xvfb chooses a free display number itself and writes it to the pipe once it is ready; nothing comes if it cannot
-/// start. Without -noreset it would start anew, refusing connections, whenever the last window closes.
-class XServer : public testing::Environment
+[[noreturn]] void serve(const int (&ends)[2], const std::vector<std::string>& screens)
+{
+    prctl(PR_SET_PDEATHSIG, SIGTERM); // also if a test crashes
+    close(ends[0]);
+    std::vector<std::string> words = {
+        "Xvfb", "-displayfd", std::to_string(ends[1]), "+extension", "GLX", "-noreset", "-nolisten", "tcp"};
+    for (std::size_t i = 0; i < screens.size(); ++i)
+        words.insert(words.end(), {"-screen", std::to_string(i), screens[i] + "x24"});
+    std::vector<char*> arguments;
+    for (std::string& word : words)
+        arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    execvp("Xvfb", arguments.data());
+    _exit(127);
+}
+
+/// Of all tests here.
+class CommonServer : public testing::Environment
 {
 public:
     void SetUp() override
     {
-        int ends[2];
-        if (pipe(ends) != 0)
-            return;
-        pid_ = fork();
-        if (pid_ == 0)
-            serve(ends);
-        close(ends[1]);
-        std::string number;
-        for (char c; read(ends[0], &c, 1) == 1 && c != '\n';)
-            number += c;
-        close(ends[0]);
-        if (number.empty()) {
+        server_ = std::make_unique<XServer>(std::vector<std::string>{"1600x1200"});
+        if (server_->display().empty()) {
             why = "Xvfb is not installed or does not start (Debian: apt-get install xvfb)";
             return;
         }
-        setenv("DISPLAY", (":" + number).c_str(), 1);
+        setenv("DISPLAY", server_->display().c_str(), 1);
         setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
         why.clear();
     }
-
-    void TearDown() override
-    {
-        if (pid_ <= 0)
-            return;
-        kill(pid_, SIGTERM);
-        waitpid(pid_, nullptr, 0);
-    }
+    void TearDown() override { server_.reset(); }
 
 private:
-    [[noreturn]] static void serve(const int (&ends)[2])
-    {
-        prctl(PR_SET_PDEATHSIG, SIGTERM); // also if a test crashes
-        close(ends[0]);
-        const std::string fd = std::to_string(ends[1]);
-        execlp("Xvfb", "Xvfb", "-displayfd", fd.c_str(), "-screen", "0", "1600x1200x24", "+extension", "GLX",
-               "-noreset", "-nolisten", "tcp", static_cast<char*>(nullptr));
-        _exit(127);
-    }
-
-    pid_t pid_ = -1;
+    std::unique_ptr<XServer> server_;
 };
 
-[[maybe_unused]] testing::Environment* const server = testing::AddGlobalTestEnvironment(new XServer);
+[[maybe_unused]] testing::Environment* const server = testing::AddGlobalTestEnvironment(new CommonServer);
 
 } // namespace
+
+/// Xvfb chooses a free display number itself and writes it to the pipe once it is ready; nothing comes if it cannot
+/// start. Without -noreset it would start anew, refusing connections, whenever the last window closes.
+XServer::XServer(const std::vector<std::string>& screens)
+{
+    int ends[2];
+    if (pipe(ends) != 0)
+        return;
+    pid_ = fork();
+    if (pid_ == 0)
+        serve(ends, screens);
+    close(ends[1]);
+    for (char c; read(ends[0], &c, 1) == 1 && c != '\n';)
+        display_ += c;
+    close(ends[0]);
+    if (!display_.empty())
+        display_.insert(0, ":");
+}
+
+XServer::~XServer()
+{
+    if (pid_ <= 0)
+        return;
+    kill(pid_, SIGTERM);
+    waitpid(pid_, nullptr, 0);
+}
 
 const std::string& whyNoDisplay()
 {

@@ -1,11 +1,10 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "SceneOptions.h"
-
 #include "brickwall/core/base/Executor.h"
 #include "brickwall/core/base/Progress.h"
 #include "brickwall/core/render/Renderer.h"
+#include "brickwall/core/scene/SceneOptions.h"
 
 #include <cstdint>
 #include <string>
@@ -29,8 +28,5 @@ struct PreparedScene
 /// Opens, reads, builds regions, chooses the transfer function and makes the surfaces; says in notes what was repaired
 /// or chosen, and what will not be seen. The options are within their limits.
 PreparedScene prepareScene(const SceneOptions& options, const Executor& executor, Progress& progress);
-
-/// The largest memory that this process had so far, in bytes.
-std::uint64_t peakMemory();
 
 } // namespace brickwall

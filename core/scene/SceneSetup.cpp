@@ -1,8 +1,7 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
-#include "SceneSetup.h"
+#include "brickwall/core/scene/SceneSetup.h"
 
-#include "Stopwatch.h"
-
+#include "brickwall/core/base/Stopwatch.h"
 #include "brickwall/core/io/DataSet.h"
 #include "brickwall/core/shade/ColorMaps.h"
 #include "brickwall/core/shade/DefaultTransferFunction.h"
@@ -11,8 +10,6 @@
 #include <fmt/format.h>
 
 #include <utility>
-
-#include <sys/resource.h>
 
 namespace brickwall {
 namespace {
@@ -88,13 +85,6 @@ PreparedScene prepareScene(const SceneOptions& options, const Executor& executor
     prepared.cells = model.cellCount;
     progress.end();
     return prepared;
-}
-
-std::uint64_t peakMemory()
-{
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return std::uint64_t(usage.ru_maxrss) * 1024; // Linux counts kilobytes
 }
 
 } // namespace brickwall

@@ -11,10 +11,6 @@
 #include <string_view>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace brickwall {
 
 /// What the user says about the scene and how it is integrated, the same words in every command and in view files.
@@ -38,17 +34,9 @@ struct SceneOptions
     std::optional<double> tolerance; ///< of bounded
     std::optional<double> dt;        ///< of the methods that take steps
     int threads = 0;
-};
 
-/// Adds DATA, a required argument, and --derive.
-void addDataOption(CLI::App& command, SceneOptions& options);
-/// Adds what is shown and --threads.
-void addSceneOptions(CLI::App& command, SceneOptions& options);
-void addNonFiniteOption(CLI::App& command, SceneOptions& options);
-void addBackgroundOption(CLI::App& command, SceneOptions& options);
-/// Adds --method, --tolerance and --dt.
-void addMethodOptions(CLI::App& command, SceneOptions& options);
-void addThreadsOption(CLI::App& command, int& threads);
+    bool operator==(const SceneOptions&) const = default;
+};
 
 /// How messages name an option, from its key in view files ("iso_color").
 using PlaceOfOption = std::function<std::string(std::string_view key)>;

@@ -1,6 +1,5 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
-/// The scene's options on the command line. What they may be is said once, by checkSceneOptions.
-#include "SceneOptions.h"
+#include "brickwall/core/scene/SceneArguments.h"
 
 #include <CLI/CLI.hpp>
 
@@ -18,6 +17,11 @@ void addList(CLI::App& command, const char* name, std::vector<double>& list, con
 void addDataOption(CLI::App& command, SceneOptions& options)
 {
     command.add_option("DATA", options.data, "a file, a folder, or sample:NAME[:SIZE]")->required();
+    addDeriveOption(command, options);
+}
+
+void addDeriveOption(CLI::App& command, SceneOptions& options)
+{
     command.add_option("--derive", options.derive, "a field more: \"NAME = EXPRESSION of fields\" (may be repeated)")
         ->allow_extra_args(false);
 }

@@ -1,5 +1,5 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
-#include "SceneOptions.h"
+#include "brickwall/core/scene/SceneOptions.h"
 
 #include "brickwall/core/base/Error.h"
 #include "brickwall/core/io/DerivedFields.h"

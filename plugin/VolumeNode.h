@@ -1,0 +1,109 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "brickwall/plugin/TraversalViews.h"
+#include "brickwall/plugin/ViewRendering.h"
+#include "brickwall/plugin/VolumeRenderer.h"
+
+#include <osg/BoundingBox>
+#include <osg/MatrixTransform>
+#include <osg/Node>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace brickwall {
+
+/// A volume in the scene of any OpenSceneGraph program: with bounds, for every camera and eye that comes by, in as many
+/// places of the graph as it is put.
+///
+/// Every cull traversal notes a view (camera, eye, viewport, matrices). A thread renders all views of one moment in one
+/// call, and the update traversal swaps whole sets in; neither traversal waits for it. While nothing changes, nothing
+/// is rendered. What a camera sees until its first image is ready is the scene without the volume. A camera without
+/// perspective shows no volume, which is noted once (osg::notify).
+///
+/// The images show the model's world space in the node's own coordinates, by way of `transform`. Behind opaque geometry
+/// the volume is hidden, in front of it blended with it; MultiChannelDrawer says how.
+///
+/// Everything here belongs to the update phase of the host. Copies share the data and have a rendering of their own.
+class VolumeNode : public osg::Node
+{
+public:
+    VolumeNode();
+    VolumeNode(const VolumeNode& other, const osg::CopyOp& copy = osg::CopyOp::SHALLOW_COPY);
+    META_Node(brickwall, VolumeNode);
+
+    // What is shown, one of three:
+    /// Reads `options.data`, with all that the options say. Throws Error and Cancelled, and has changed nothing
+    /// then.
+    void load(const SceneOptions& options, Progress& progress);
+    /// A scene that the program made; its own surfaces are shown, and of the options what says how it is integrated.
+    void show(const Scene& scene);
+    /// Images from elsewhere, of something inside these bounds.
+    void show(FrameMaker makeFrames, const Box3d& bounds);
+
+    /// Changes what is shown, also field and transfer function. What is not at hand (another field, another file of a
+    /// transfer function) is read beside the drawing; the old images stay until then. Throws Error for options out of
+    /// their limits.
+    void setOptions(const SceneOptions& options);
+    const SceneOptions& options() const { return options_; }
+
+    void setField(const std::string& name);
+    void setIsoValues(const std::vector<double>& values);
+    void setTolerance(double tolerance); ///< of the method bounded
+    void setShading(Shading shading);
+    /// Instead of that of the options, at once, with nothing to read; without a value: that of the options again.
+    void setTransferFunction(std::optional<TransferFunction> tf);
+    const std::optional<TransferFunction>& transferFunction() const { return transferFunction_; }
+
+    /// From the model's world space to the node's coordinates; identity at the start.
+    void setTransform(const osg::Matrixd& nodeFromModel);
+    const osg::Matrixd& transform() const { return place_->getMatrix(); }
+
+    /// In the node's coordinates; not valid while nothing is shown.
+    osg::BoundingBox boundingBox() const;
+    osg::BoundingSphere computeBound() const override;
+
+    /// Count the changes of what needs reading, and of all that can be seen but the transform.
+    unsigned dataStamp() const { return dataStamp_; }
+    unsigned lookStamp() const { return lookStamp_; }
+
+    /// Whether the images that are shown are those of the newest views and properties, as of the last update traversal.
+    bool settled() const { return settled_; }
+
+    void traverse(osg::NodeVisitor& visitor) override;
+    void resizeGLObjectBuffers(unsigned size) override;
+    void releaseGLObjects(osg::State* state = nullptr) const override;
+
+private:
+    ~VolumeNode() override;
+    void showData(std::shared_ptr<const VolumeData> data);
+    void cull(osgUtil::CullVisitor& visitor);
+    void update(unsigned frame);
+    void publish();
+    void followViews();
+    std::vector<RequestedView> viewsNow();
+    FrameMaker makerOfLook() const;
+
+    SceneOptions options_;
+    std::optional<TransferFunction> transferFunction_;
+    std::shared_ptr<const VolumeData> data_;
+    std::shared_ptr<VolumeRenderer> renderer_; ///< called by the rendering thread alone
+    Box3d modelBounds_;                        ///< of the model's world space; empty: nothing is shown
+    FrameMaker makeFrames_;                    ///< of a program
+    unsigned dataStamp_ = 0;
+    unsigned lookStamp_ = 0;
+
+    osg::ref_ptr<TraversalViews> views_;
+    osg::ref_ptr<MultiChannelDrawer> drawer_;
+    osg::ref_ptr<osg::MatrixTransform> place_; ///< of the drawer; no node that other visitors see
+    std::optional<unsigned> updatedFrame_;
+    std::vector<RequestedView> requested_; ///< latest
+    std::optional<unsigned> requestedLook_;
+    bool settled_ = false;
+    bool notedFlat_ = false;
+    std::unique_ptr<ViewRendering> rendering_; ///< last: it ends before what it writes to does
+};
+
+} // namespace brickwall

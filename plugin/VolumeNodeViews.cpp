@@ -1,0 +1,158 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+/// What VolumeNode does in the traversals of its host.
+#include "brickwall/core/base/Error.h"
+#include "brickwall/core/shade/Srgb.h"
+#include "brickwall/plugin/OsgConversions.h"
+#include "brickwall/plugin/VolumeNode.h"
+
+#include <osg/Notify>
+#include <osgUtil/CullVisitor>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace brickwall {
+namespace {
+
+/// Of an entry of a matrix that the host computes anew for each frame: near and far go through a few roundings.
+constexpr double rounding = 1e-9;
+
+bool same(const osg::Matrixd& a, const osg::Matrixd& b)
+{
+    double largest = 0.0;
+    for (int i = 0; i < 16; ++i)
+        largest = std::max(largest, std::abs(b.ptr()[i]));
+    for (int i = 0; i < 16; ++i) {
+        const double x = a.ptr()[i], y = b.ptr()[i];
+        if (!(std::abs(x - y) <= rounding * std::max(std::abs(y), 1e-3 * largest)))
+            return false;
+    }
+    return true;
+}
+
+bool same(const std::vector<RequestedView>& a, const std::vector<RequestedView>& b)
+{
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const RequestedView& x, const RequestedView& y) {
+        return x.drawerView == y.drawerView && x.view.window == y.view.window && same(x.projection, y.projection) &&
+               same(x.model * x.viewing, y.model * y.viewing);
+    });
+}
+
+vec3f linear(const osg::Vec4& displayed)
+{
+    vec3f color;
+    for (int i = 0; i < 3; ++i)
+        color[i] = linearFromSrgb(std::clamp(float(displayed[i]), 0.0f, 1.0f));
+    return color;
+}
+
+} // namespace
+
+void VolumeNode::traverse(osg::NodeVisitor& visitor)
+{
+    if (visitor.getVisitorType() == osg::NodeVisitor::UPDATE_VISITOR)
+        update(visitor.getTraversalNumber());
+    else if (osgUtil::CullVisitor* culling = visitor.asCullVisitor())
+        cull(*culling);
+}
+
+void VolumeNode::cull(osgUtil::CullVisitor& visitor)
+{
+    const osg::BoundingBox box = boundingBox();
+    if (!box.valid())
+        return;
+    // The images have no bounds of their own, and near and far have to leave room for what they show.
+    if (visitor.getComputeNearFarMode() != osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR)
+        visitor.updateCalculatedNearFar(*visitor.getModelViewMatrix(), box);
+    views_->note(visitor, transform());
+    place_->accept(visitor);
+}
+
+void VolumeNode::update(unsigned frame)
+{
+    if (updatedFrame_ == frame || modelBounds_.empty()) // several parents; nothing to show
+        return;
+    updatedFrame_ = frame;
+    if (!rendering_)
+        rendering_ = std::make_unique<ViewRendering>(*drawer_);
+    publish();
+    followViews();
+    drawer_->update();
+
+    std::vector<RequestedView> views = viewsNow();
+    const bool newLook = requestedLook_ != lookStamp_;
+    const bool newViews = !same(views, requested_);
+    if (!views.empty() && (newLook || newViews)) {
+        rendering_->request(views, makerOfLook(), newLook);
+        requestedLook_ = lookStamp_;
+        requested_ = std::move(views);
+    }
+    settled_ = !requested_.empty() && !newLook && !newViews && rendering_->idle();
+}
+
+void VolumeNode::publish()
+{
+    try {
+        rendering_->publish();
+    } catch (const std::exception& error) {
+        OSG_WARN << "brickwall: " << error.what() << std::endl;
+    }
+}
+
+void VolumeNode::followViews()
+{
+    const std::vector<int> changed = views_->settle();
+    if (changed.empty())
+        return;
+    rendering_->restructure([&] {
+        if (drawer_->numViews() != views_->numChannels())
+            drawer_->setNumViews(-1);
+        for (const int view : changed)
+            drawer_->resizeView(view, 0, 0);
+        drawer_->swapFrame();
+    });
+    requested_.clear();
+}
+
+std::vector<RequestedView> VolumeNode::viewsNow()
+{
+    std::vector<RequestedView> views;
+    for (const int index : views_->living()) {
+        const OutputChannel channel = views_->channel(index);
+        try {
+            const View view =
+                viewOfMatrices(channel.name, toGlm(channel.model * channel.view), toGlm(channel.projection),
+                               channel.viewport.width, channel.viewport.height);
+            views.push_back({index, view, channel.model, channel.view, channel.projection});
+            if (views.size() == 1)
+                drawer_->setBackground(linear(views_->clearColor(index)));
+        } catch (const Error& error) {
+            if (!std::exchange(notedFlat_, true))
+                OSG_WARN << "brickwall: no volume in a view: " << error.what() << std::endl;
+        }
+    }
+    return views;
+}
+
+FrameMaker VolumeNode::makerOfLook() const
+{
+    if (makeFrames_)
+        return makeFrames_;
+    return [renderer = renderer_, look = VolumeLook{options_, transferFunction_, lookStamp_}](
+               std::span<const View> views, Progress& progress) { return renderer->render(look, views, progress); };
+}
+
+void VolumeNode::resizeGLObjectBuffers(unsigned size)
+{
+    osg::Node::resizeGLObjectBuffers(size);
+    place_->resizeGLObjectBuffers(size);
+}
+
+void VolumeNode::releaseGLObjects(osg::State* state) const
+{
+    osg::Node::releaseGLObjects(state);
+    place_->releaseGLObjects(state);
+}
+
+} // namespace brickwall

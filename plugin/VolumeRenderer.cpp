@@ -1,0 +1,57 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#include "brickwall/plugin/VolumeRenderer.h"
+
+#include <utility>
+
+namespace brickwall {
+
+std::shared_ptr<const VolumeData> readVolume(const SceneOptions& options, Progress& progress)
+{
+    const Executor executor(options.threads);
+    return std::make_shared<VolumeData>(VolumeData{options, prepareScene(options, executor, progress)});
+}
+
+bool needsReading(const SceneOptions& a, const SceneOptions& b)
+{
+    SceneOptions asRead = a; // what Renderer takes as it comes
+    asRead.shading = b.shading;
+    asRead.iso = b.iso;
+    asRead.isoColors = b.isoColors;
+    asRead.isoOpacity = b.isoOpacity;
+    asRead.background = b.background;
+    asRead.method = b.method;
+    asRead.tolerance = b.tolerance;
+    asRead.dt = b.dt;
+    asRead.threads = b.threads;
+    return asRead != b;
+}
+
+VolumeRenderer::VolumeRenderer(std::shared_ptr<const VolumeData> data) : data_(std::move(data)) {}
+
+std::vector<Frame> VolumeRenderer::render(const VolumeLook& look, std::span<const View> views, Progress& progress)
+{
+    if (stamp_ != look.stamp)
+        take(look, progress);
+    return renderer_->render(views, renderSettings(look.options), progress);
+}
+
+void VolumeRenderer::take(const VolumeLook& look, Progress& progress)
+{
+    stamp_.reset(); // unless all of it succeeds
+    const bool fromProgram = look.options.data.empty();
+    if (!fromProgram && needsReading(data_->options, look.options)) {
+        data_ = readVolume(look.options, progress);
+        renderer_.reset();
+    }
+    if (!renderer_) {
+        executor_.emplace(look.options.threads);
+        renderer_.emplace(data_->prepared.scene, *executor_);
+    }
+    const Scene& scene = data_->prepared.scene;
+    const TransferFunction& tf = look.transferFunction ? *look.transferFunction : scene.transferFunction;
+    renderer_->setTransferFunction(tf);
+    renderer_->setSurfaces(fromProgram ? scene.surfaces : isoSurfaces(look.options, tf));
+    stamp_ = look.stamp;
+}
+
+} // namespace brickwall

@@ -1,0 +1,70 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#include "brickwall/core/scene/SceneText.h"
+#include "brickwall/tests/common/ErrorOf.h"
+
+#include <gtest/gtest.h>
+
+namespace brickwall::test {
+namespace {
+
+SceneOptions optionsOf(const std::string& text)
+{
+    SceneOptions options;
+    EXPECT_TRUE(readSceneText(text, options).empty());
+    return options;
+}
+
+TEST(SceneText, HasTheNamesAndValuesOfTheCommandLine)
+{
+    const SceneOptions options =
+        optionsOf("field=dens tolerance=1/500 tf=my.xf iso=-0.5,0.9 iso_opacity=0.3,1 shading=off range=-1,2");
+    EXPECT_EQ(options.field, "dens");
+    EXPECT_DOUBLE_EQ(options.tolerance.value(), 1.0 / 500.0);
+    EXPECT_EQ(options.transferFunction, "my.xf");
+    EXPECT_EQ(options.iso, (std::vector<double>{-0.5, 0.9}));
+    EXPECT_EQ(options.isoOpacity, (std::vector<double>{0.3, 1.0}));
+    EXPECT_EQ(options.shading, "off");
+    EXPECT_EQ(options.range, (std::vector<double>{-1.0, 2.0}));
+}
+
+TEST(SceneText, QuotesKeepBlanksTogether)
+{
+    EXPECT_EQ(optionsOf("  colormap=\"Cool Warm\"   field=a ").colorMap, "Cool Warm");
+    EXPECT_EQ(optionsOf("'colormap=Cool Warm'").colorMap, "Cool Warm");
+    EXPECT_EQ(optionsOf("derive='b = 2 * a' derive=c=a").derive, (std::vector<std::string>{"b = 2 * a", "c=a"}));
+}
+
+TEST(SceneText, GivesBackTheWordsOfOtherReaders)
+{
+    SceneOptions options;
+    EXPECT_EQ(readSceneText("noRotation field=a tolerence=0.1 help=1 h", options),
+              (std::vector<std::string>{"noRotation", "tolerence=0.1", "help=1", "h"}));
+    EXPECT_EQ(options.field, "a");
+}
+
+TEST(SceneText, RefusesWhatTheCommandLineRefusesAndChangesNothing)
+{
+    SceneOptions options = optionsOf("field=kept");
+    const SceneOptions before = options;
+    for (const char* bad : {"tolerance=2", "tolerance=abc", "range=1", "shading=on", "field=b dt=0.5", "iso=1,1",
+                            "opacity-scale=x", "colormap=nosuch", "field='b"})
+        EXPECT_NE(errorOf([&] { readSceneText(bad, options); }), "") << bad;
+    EXPECT_EQ(options, before);
+}
+
+TEST(SceneText, WritesWhatItReads)
+{
+    EXPECT_EQ(sceneText(SceneOptions{}), "");
+    for (const char* text :
+         {"field=dens tf=my.xf range=-1,2.5 shading=off iso=0.5,0.9 iso-color=1,0,0.25 iso-opacity=0.3,1 "
+          "tolerance=0.002",
+          "derive=\"b = 2 * a\" non-finite=empty colormap=\"Cool Warm\" opacity-scale=0.1 volume=off background=0,0,1 "
+          "method=midpoint dt=0.25 threads=3"}) {
+        const SceneOptions options = optionsOf(text);
+        EXPECT_EQ(sceneText(options), text);
+        EXPECT_EQ(optionsOf(sceneText(options)), options);
+    }
+}
+
+} // namespace
+} // namespace brickwall::test
