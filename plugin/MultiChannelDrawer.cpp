@@ -36,7 +36,6 @@ MultiChannelDrawer::MultiChannelDrawer(osg::ref_ptr<const ChannelSource> channel
     setCullingActive(false);
     background_->setDataVariance(osg::Object::DYNAMIC);
     setStateSet(makeDrawerState(background_));
-    update();
     setNumViews(-1);
 }
 
@@ -58,6 +57,7 @@ void MultiChannelDrawer::setNumViews(int count)
 {
     if (count < -1)
         throw Error(place, fmt::format("expected a number of views, or -1 for one per channel, not {}", count));
+    takeChannels(); // there may be others by now
     const int channels = int(current_.size());
     views_.resize(count < 0 ? channels : count);
     for (int i = 0; i < numViews(); ++i) {
@@ -163,11 +163,19 @@ void MultiChannelDrawer::shareGrids()
         pass->refresh();
 }
 
-void MultiChannelDrawer::update()
+void MultiChannelDrawer::takeChannels()
 {
     current_.resize(channels_->numChannels());
     for (int i = 0; i < int(current_.size()); ++i)
         current_[i] = channels_->channel(i);
+}
+
+void MultiChannelDrawer::update()
+{
+    const std::size_t before = current_.size();
+    takeChannels();
+    if (current_.size() != before)
+        return arrange();
     for (const auto& pass : passes_)
         pass->setModel(current_[pass->channel()].model);
 }

@@ -124,6 +124,7 @@ protected:
 
 private:
     DrawerView& at(int view) const;
+    void takeChannels();
     /// The passes that mode and selection ask for, for every pair of a view and a channel.
     void arrange();
     bool shows(int view, int channel) const;
