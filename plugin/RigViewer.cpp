@@ -139,7 +139,7 @@ void RigViewer::runUntilClosed()
         if (published || windows_.viewer().checkNeedToDoFrame())
             windows_.viewer().frame();
         else
-            std::this_thread::sleep_for(4ms);
+            std::this_thread::sleep_for(10ms);
     }
 }
 
