@@ -29,7 +29,7 @@ double depthInside(const Shell& shell, const vec3d& p)
     const double r = std::sqrt(glm::dot(q, q));
     if (std::abs(r - shell.radius) > 0.1 * shell.radius + 60.0 * shell.skin)
         return r < shell.radius ? 1e3 : -1e3;
-    const vec3d direction = q * (1.0 / r);
+    const vec3d direction = r > 0.0 ? q * (1.0 / r) : vec3d(0.0); // the centre has no direction, and is deep inside
     const double wrinkle =
         0.03 * gradientNoise(3.0 * direction, shell.seed) + 0.012 * gradientNoise(9.0 * direction, shell.seed);
     return (shell.radius * (1.0 + wrinkle) - r) / shell.skin;

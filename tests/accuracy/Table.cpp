@@ -36,7 +36,7 @@ void writeWorst(std::ostream& out, const std::string& subject)
     for (std::size_t e = 0; e < tolerances.size(); ++e) {
         double largest = -1.0;
         std::string whose;
-        std::uint64_t admitted = 0, over = 0, pixels = 0;
+        std::uint64_t admitted = 0, over = 0;
         for (const Row& row : rows()) {
             if (row.subject != subject)
                 continue;
@@ -44,7 +44,6 @@ void writeWorst(std::ostream& out, const std::string& subject)
                 const Kept& k = kept->of[e];
                 admitted += k.admitted;
                 over += k.over;
-                pixels += k.pixels;
                 if (k.largest <= largest)
                     continue;
                 largest = k.largest;

@@ -201,7 +201,7 @@ TEST(TransferIntegral, IsTheIntegralOfTheFunction)
         for (std::size_t i = 0; i < f.segments.size(); ++i) {
             // Boole's rule over what is smooth; the ends from inside, for there may be steps.
             const double a = f.knots[i], w = double(f.knots[i + 1]) - a;
-            const auto at = [&](double x) {
+            const auto at = [&, &tf = tf](double x) { // bindings are not captured by clang 14
                 const double v = a + w * std::clamp(x, 1e-6, 1.0 - 1e-6), sigma = extinctionAt(tf, v);
                 return vec4d(colorAt(tf, v) * sigma, sigma);
             };

@@ -34,23 +34,36 @@ public:
 
     ReferenceReconstruction::Sample at(double t) const { return twin_.atVoxel(org_ + t * dir_); }
 
-    /// Changes of sign between samples; where B jumps, or has no value on one side, there is none.
+    /// Changes of sign between samples, and between the last sample and where the data end; where B jumps there is none.
     std::vector<double> crossings(double value, double step) const
     {
         std::vector<double> found;
-        auto last = at(tNear_);
         double lastT = tNear_;
-        for (double t = tNear_ + step; t < tFar_; t += step) {
-            const auto here = at(t);
-            if (last.valid && here.valid && (last.value > value) != (here.value > value))
-                bisect(value, lastT, t, last.value > value, found);
-            last = here;
+        while (lastT < tFar_) {
+            const double t = std::min(lastT + step, tFar_);
+            const bool validBefore = at(lastT).valid, validHere = at(t).valid;
+            if (validBefore || validHere) {
+                const double a = validBefore ? lastT : edge(t, lastT), b = validHere ? t : edge(lastT, t);
+                const bool aboveAtA = at(a).value > value;
+                if (aboveAtA != (at(b).value > value))
+                    bisect(value, a, b, aboveAtA, found);
+            }
             lastT = t;
         }
         return found;
     }
 
 private:
+    /// The last place with a value on the way to one that has none.
+    double edge(double valid, double invalid) const
+    {
+        for (int i = 0; i < 45; ++i) {
+            const double t = 0.5 * (valid + invalid);
+            (at(t).valid ? valid : invalid) = t;
+        }
+        return valid;
+    }
+
     void bisect(double value, double a, double b, bool aboveAtA, std::vector<double>& found) const
     {
         for (int i = 0; i < 45; ++i) {
