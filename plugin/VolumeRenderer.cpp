@@ -43,14 +43,18 @@ void VolumeRenderer::take(const VolumeLook& look, Progress& progress)
         data_ = readVolume(look.options, progress);
         renderer_.reset();
     }
-    if (!renderer_) {
+    Scene scene = data_->prepared.scene; // what is large in it is shared
+    if (look.transferFunction)
+        scene.transferFunction = *look.transferFunction;
+    if (!fromProgram)
+        scene.surfaces = isoSurfaces(look.options, scene.transferFunction);
+    if (renderer_) {
+        renderer_->setTransferFunction(scene.transferFunction);
+        renderer_->setSurfaces(std::move(scene.surfaces));
+    } else {
         executor_.emplace(look.options.threads);
-        renderer_.emplace(data_->prepared.scene, *executor_);
+        renderer_.emplace(std::move(scene), *executor_);
     }
-    const Scene& scene = data_->prepared.scene;
-    const TransferFunction& tf = look.transferFunction ? *look.transferFunction : scene.transferFunction;
-    renderer_->setTransferFunction(tf);
-    renderer_->setSurfaces(fromProgram ? scene.surfaces : isoSurfaces(look.options, tf));
     stamp_ = look.stamp;
 }
 

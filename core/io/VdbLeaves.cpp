@@ -136,7 +136,6 @@ void appendVoxels(const MaskTree& mask, const VdbLevel& level, std::vector<Brick
 void appendTiles(MaskTree& mask, const VdbLevel& level, const std::string& place, std::vector<Brick>& bricks)
 {
     std::vector<CoordBBox> misaligned;
-    const std::uint64_t stored = storedCount(mask);
     double filled = 0.0;
     auto it = mask.cbeginValueOn();
     it.setMaxDepth(MaskTree::ValueOnCIter::LEAF_DEPTH - 1);
@@ -155,15 +154,17 @@ void appendTiles(MaskTree& mask, const VdbLevel& level, const std::string& place
             filled += volumeOf(box);
         }
     }
-    checkExpansion(filled, stored, place);
+    if (misaligned.empty())
+        return;
+    checkExpansion(filled, storedCount(mask), place);
     for (const CoordBBox& box : misaligned)
         mask.denseFill(box, true, true);
 }
 
-void checkNotEmpty(std::uint64_t cells, const std::string& place)
+void checkCount(double cells, const std::string& place)
 {
-    if (cells == 0)
-        throw Error(place, "expected active voxels, found none");
+    if (cells >= 0x1p32)
+        throw Error(place, fmt::format("expected fewer than 2^32 cells, found {}", cells));
 }
 
 } // namespace
@@ -183,8 +184,7 @@ double volumeOf(const CoordBBox& box)
 
 void checkExpansion(double cells, std::uint64_t stored, const std::string& place)
 {
-    if (cells >= 0x1p32)
-        throw Error(place, fmt::format("expected fewer than 2^32 cells, found {}", cells));
+    checkCount(cells, place);
     const double most = std::max(0x1p24, 1000.0 * double(stored));
     if (cells > most)
         throw Error(place,
@@ -205,7 +205,8 @@ LeafPlan vdbLeaves(std::vector<VdbMask> masks, bool tiles, const std::string& pl
         stored += storedCount(mask.active);
         cells += double(tiles ? storedCount(mask.active) : mask.active.activeVoxelCount());
     }
-    checkNotEmpty(stored, place);
+    if (stored == 0)
+        throw Error(place, "expected active voxels, found none");
     checkExpansion(cells, stored, place);
     std::vector<Leaves> leaves = leavesOf(masks, progress);
     for (std::size_t l = 0; l < masks.size(); ++l) {
@@ -220,7 +221,7 @@ LeafPlan vdbLeaves(std::vector<VdbMask> masks, bool tiles, const std::string& pl
     }
     mergeBoxes(plan.bricks, BrickBuilderConfig{}.maxBrickWidth, progress);
     plan.cellCount = plan.bricks.back().begin + plan.bricks.back().cellCount();
-    checkExpansion(double(plan.cellCount), plan.cellCount, place);
+    checkCount(double(plan.cellCount), place);
     progress.end();
     return plan;
 }

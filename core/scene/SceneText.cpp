@@ -121,10 +121,8 @@ std::string sceneText(const SceneOptions& options)
     line.add("iso-opacity", options.isoOpacity, start.isoOpacity);
     line.add("background", options.background, start.background);
     line.add("method", options.method, start.method);
-    if (options.tolerance)
-        line.add("tolerance", options.tolerance, start.tolerance);
-    if (options.dt)
-        line.add("dt", options.dt, start.dt);
+    line.add("tolerance", options.tolerance, start.tolerance);
+    line.add("dt", options.dt, start.dt);
     line.add("threads", options.threads, start.threads);
     return line.take();
 }

@@ -34,7 +34,8 @@ public:
 
     ReferenceReconstruction::Sample at(double t) const { return twin_.atVoxel(org_ + t * dir_); }
 
-    /// Changes of sign between samples, and between the last sample and where the data end; where B jumps there is none.
+    /// Changes of sign between samples, and between the last sample and where the data end; where B jumps there is
+    /// none.
     std::vector<double> crossings(double value, double step) const
     {
         std::vector<double> found;
