@@ -27,6 +27,7 @@ struct Options
     std::string size;
     int frames = 0;
     std::string screenshots;
+    bool preview = false;
 };
 
 int view(const Options& options)
@@ -48,6 +49,7 @@ int view(const Options& options)
     viewer.frames = options.frames;
     viewer.screenshotFolder = options.screenshots;
     viewer.renderThreads = options.scene.threads;
+    viewer.preview = options.preview;
     viewScene(prepared.scene, rig, renderSettings(options.scene), viewer, progress);
     return 0;
 #else
@@ -70,6 +72,8 @@ void addViewCommand(CLI::App& app, Action& chosen)
     addSceneOptions(*command, options->scene);
     addBackgroundOption(*command, options->scene);
     addMethodOptions(*command, options->scene);
+    command->add_flag("--preview", options->preview,
+                      "one window that shows the rig from outside: its screens, what they show, heads and frusta");
     command->add_option("--frames", options->frames, "draw N complete frames and end (default 0: until Escape)")
         ->check(CLI::Range(0, 1000000));
     command->add_option("--screenshots", options->screenshots,

@@ -134,4 +134,12 @@ osg::ref_ptr<osgViewer::GraphicsWindow> openWindow(const Rig& rig, int window, c
     return result;
 }
 
+osg::ref_ptr<osg::DisplaySettings> withoutStereo()
+{
+    osg::ref_ptr<osg::DisplaySettings> settings = new osg::DisplaySettings(*osg::DisplaySettings::instance());
+    settings->setStereo(false);
+    settings->setNumMultiSamples(0);
+    return settings;
+}
+
 } // namespace brickwall

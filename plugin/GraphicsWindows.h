@@ -4,6 +4,7 @@
 #include "brickwall/channels/Rig.h"
 #include "brickwall/plugin/RigLayout.h"
 
+#include <osg/DisplaySettings>
 #include <osgViewer/GraphicsWindow>
 
 #include <memory>
@@ -22,5 +23,9 @@ osg::ref_ptr<osgViewer::GraphicsWindow> openWindow(const Rig& rig, int window, c
 
 /// The name of a window for messages and files.
 std::string nameOf(const Rig& rig, int window);
+
+/// For viewers that make their eyes themselves: OSG's own stereo (OSG_STEREO and its like) would split every camera's
+/// image once more.
+osg::ref_ptr<osg::DisplaySettings> withoutStereo();
 
 } // namespace brickwall

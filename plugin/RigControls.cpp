@@ -133,30 +133,30 @@ bool RigControls::key(const Event& event)
         windows_.toggleFullScreen(window_);
         return true;
     default:
-        return headKey(event.getKey(), event.getModKeyMask() & Event::MODKEY_SHIFT);
+        return moveHeadsByKey(navigation_, event.getKey(), event.getModKeyMask() & Event::MODKEY_SHIFT);
     }
 }
 
-bool RigControls::headKey(int key, bool shift)
+bool moveHeadsByKey(RigNavigation& navigation, int key, bool shift)
 {
     switch (key) {
     case Event::KEY_Left:
-        shift ? navigation_.turnHeads(headTurn, 0.0) : navigation_.moveHeads({-headStep, 0.0, 0.0});
+        shift ? navigation.turnHeads(headTurn, 0.0) : navigation.moveHeads({-headStep, 0.0, 0.0});
         return true;
     case Event::KEY_Right:
-        shift ? navigation_.turnHeads(-headTurn, 0.0) : navigation_.moveHeads({headStep, 0.0, 0.0});
+        shift ? navigation.turnHeads(-headTurn, 0.0) : navigation.moveHeads({headStep, 0.0, 0.0});
         return true;
     case Event::KEY_Up:
-        shift ? navigation_.turnHeads(0.0, headTurn) : navigation_.moveHeads({0.0, headStep, 0.0});
+        shift ? navigation.turnHeads(0.0, headTurn) : navigation.moveHeads({0.0, headStep, 0.0});
         return true;
     case Event::KEY_Down:
-        shift ? navigation_.turnHeads(0.0, -headTurn) : navigation_.moveHeads({0.0, -headStep, 0.0});
+        shift ? navigation.turnHeads(0.0, -headTurn) : navigation.moveHeads({0.0, -headStep, 0.0});
         return true;
     case Event::KEY_Page_Up:
-        navigation_.moveHeads({0.0, 0.0, headStep});
+        navigation.moveHeads({0.0, 0.0, headStep});
         return true;
     case Event::KEY_Page_Down:
-        navigation_.moveHeads({0.0, 0.0, -headStep});
+        navigation.moveHeads({0.0, 0.0, -headStep});
         return true;
     default:
         return false;

@@ -24,7 +24,6 @@ public:
 
 private:
     bool key(const osgGA::GUIEventAdapter& event);
-    bool headKey(int key, bool shift);
     bool drag(const osgGA::GUIEventAdapter& event);
     void remember(const osgGA::GUIEventAdapter& event);
     void rememberWindow(const osgGA::GUIEventAdapter& event);
@@ -37,5 +36,9 @@ private:
     int window_ = 0;     ///< that the pointer was last seen in; OSG does not tell it with every event
     bool helpShown_ = false;
 };
+
+/// Arrows and page keys move the heads by 5 cm, arrows with shift turn them by 5 degrees. Says whether it was such a
+/// key.
+bool moveHeadsByKey(RigNavigation& navigation, int key, bool shift);
 
 } // namespace brickwall

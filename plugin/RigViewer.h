@@ -21,12 +21,14 @@ struct ViewerOptions
     double windowScale = 1.0; ///< of the windows' sizes and positions
     bool drawThreads = false; ///< a draw thread per window, for several graphics cards; otherwise all is drawn by one
     int renderThreads = 0;    ///< 0: one per core
+    bool preview = false;     ///< one window that shows the whole room from outside (RoomPreview), named "preview"
 };
 
 /// Opens the windows of the rig and shows the data in them until the user quits; docs/viewer.md has the controls. All
 /// views are rendered beside drawing and event handling, again whenever data, heads or window sizes have changed; what
-/// is drawn is always a set of frames of one moment, with the matrices that they were rendered for. A view that cannot
-/// be shown (an eye behind its screen) stays black, which is noted once on `progress`.
+/// is drawn is always a set of frames of one moment, seen from where the heads are by now (reprojected until there are
+/// frames for that). A view that cannot be shown (an eye behind its screen) stays black, which is noted once on
+/// `progress`.
 ///
 /// A window that is resized keeps the rig's proportions, the rest stays black. Throws Error if a display or window
 /// cannot be had (place "DISPLAY" or the window), what `makeFrames` throws, and Cancelled. Uses the calling thread for

@@ -6,8 +6,6 @@
 #include "brickwall/plugin/OsgConversions.h"
 #include "brickwall/plugin/StereoState.h"
 
-#include <osg/DisplaySettings>
-
 #include <algorithm>
 
 namespace brickwall {
@@ -28,15 +26,6 @@ osg::ref_ptr<osg::Camera> makeWindowCamera(osgViewer::GraphicsWindow* window, in
     camera->setClearColor(osg::Vec4(0, 0, 0, 1));
     restrictToEye(*camera, StereoMode::mono, Eye::middle);
     return camera;
-}
-
-/// OSG's own stereo (OSG_STEREO and its like) would split every camera's image once more.
-osg::ref_ptr<osg::DisplaySettings> withoutStereo()
-{
-    osg::ref_ptr<osg::DisplaySettings> settings = new osg::DisplaySettings(*osg::DisplaySettings::instance());
-    settings->setStereo(false);
-    settings->setNumMultiSamples(0);
-    return settings;
 }
 
 } // namespace

@@ -100,28 +100,48 @@ TEST(RigCommand, ConvertedRigsDescribeTheSameScreens)
     }
 }
 
-// An X server without other clients starts anew when it loses its last one, and refused half of the windows then.
-TEST(ViewCommand, OpensAllWindowsOfACaveOnAServerWithoutOtherClients)
+/// Exit code of `brickwall view sample:wake:60k --rig cave5 OPTIONS` on an X server of its own, in this folder, with
+/// its last words in the file "message"; nothing where there is no such server, or no viewer.
+std::optional<int> viewOnItsOwnServer(const std::filesystem::path& folder, const std::string& options)
 {
     if (std::system("command -v Xvfb >/dev/null") != 0)
-        GTEST_SKIP() << "Xvfb is not installed (Debian: apt-get install xvfb)";
-    const auto folder = scratchFolder();
+        return std::nullopt;
     const std::string script = "cd '" + folder.string() + R"('
 Xvfb -displayfd 1 -screen 0 640x480x24 +extension GLX -nolisten tcp >display 2>/dev/null &
 server=$!
 while [ ! -s display ] && kill -0 $server; do sleep 0.1; done
-DISPLAY=:$(cat display) LIBGL_ALWAYS_SOFTWARE=1 ")" BRICKWALL_COMMAND R"(" \
-    view sample:wake:60k --rig cave5 --size 16x16 --frames 1 --screenshots pictures 2>message
+DISPLAY=:$(cat display) LIBGL_ALWAYS_SOFTWARE=1 ")" BRICKWALL_COMMAND R"(" view sample:wake:60k --rig cave5 )" +
+                               options + R"( 2>message
 code=$?
 kill $server
 exit $code
 )";
     const int status = std::system(script.c_str());
-    const std::string message = contentOf(folder / "message");
-    if (message.find("this build has no windows") != std::string::npos)
-        GTEST_SKIP() << message;
-    ASSERT_EQ(WEXITSTATUS(status), 0) << message;
+    if (contentOf(folder / "message").find("this build has no windows") != std::string::npos)
+        return std::nullopt;
+    return WEXITSTATUS(status);
+}
+
+// An X server without other clients starts anew when it loses its last one, and refused half of the windows then.
+TEST(ViewCommand, OpensAllWindowsOfACaveOnAServerWithoutOtherClients)
+{
+    const auto folder = scratchFolder();
+    const auto code = viewOnItsOwnServer(folder, "--size 16x16 --frames 1 --screenshots pictures");
+    if (!code)
+        GTEST_SKIP() << "needs Xvfb (Debian: apt-get install xvfb) and a build with windows";
+    ASSERT_EQ(*code, 0) << contentOf(folder / "message");
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / "pictures"), {}), 10);
+}
+
+TEST(ViewCommand, PreviewIsOneWindowWhateverTheRigHas)
+{
+    const auto folder = scratchFolder();
+    const auto code = viewOnItsOwnServer(folder, "--size 16x16 --preview --frames 1 --screenshots pictures");
+    if (!code)
+        GTEST_SKIP() << "needs Xvfb (Debian: apt-get install xvfb) and a build with windows";
+    ASSERT_EQ(*code, 0) << contentOf(folder / "message");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / "pictures"), {}), 1);
+    EXPECT_GT(std::filesystem::file_size(folder / "pictures" / "preview.png"), 2000u);
 }
 
 TEST(BadInput, IsOneLineAndExitCode2)
