@@ -51,6 +51,21 @@ bool mirroredInFront(const View& view)
     return atScreen > 0.0 && std::abs(atEye) < 1e-6 * atScreen;
 }
 
+void checkSceneDepth(const View& view)
+{
+    const PixelRect& w = view.window;
+    const PixelRect& d = view.sceneDepth->window;
+    const auto end = [](int begin, int extent) { return std::int64_t(begin) + extent; };
+    if (d.x > w.x || d.y > w.y || end(d.x, d.width) < end(w.x, w.width) || end(d.y, d.height) < end(w.y, w.height))
+        throw Error(fmt::format("view '{}'", view.name),
+                    fmt::format("expected a scene depth of its {} x {} pixels at ({}, {}), found {} x {} at ({}, {})",
+                                w.width, w.height, w.x, w.y, d.width, d.height, d.x, d.y));
+    const std::size_t pixels = std::size_t(d.width) * std::size_t(d.height);
+    if (view.sceneDepth->depth.size() != pixels)
+        throw Error(fmt::format("view '{}'", view.name), fmt::format("expected a scene depth of {} values, found {}",
+                                                                     pixels, view.sceneDepth->depth.size()));
+}
+
 void checkView(const View& view)
 {
     const std::string place = fmt::format("view '{}'", view.name);
@@ -62,6 +77,8 @@ void checkView(const View& view)
     if (!(eyeDistance(view) > 0.0) && !mirroredInFront(view))
         throw Error(place,
                     fmt::format("the eye has to be in front of its screen, found {:g} behind it", -eyeDistance(view)));
+    if (view.sceneDepth)
+        checkSceneDepth(view);
 }
 
 /// Where the ray is in the box, starting at 0; nothing if it is nowhere. Lower faces belong to the box.
@@ -150,6 +167,31 @@ void ViewRays::endAt(int ray, double t, const TilePixels& pixels, RayTile& rays)
 {
     const double end = std::max(0.0, tileFromWorld(ray, t, pixels));
     rays.tEnd[ray] = rays.tFar[ray] = std::min(rays.tFar[ray], static_cast<float>(end));
+}
+
+float ViewRays::sceneDepthAt(int ray, const TilePixels& pixels) const
+{
+    const SceneDepth* scene = view_.sceneDepth.get();
+    if (!scene)
+        return 1.0f;
+    const int x = view_.window.x + pixels.x[ray] - scene->window.x,
+              y = view_.window.y + pixels.y[ray] - scene->window.y;
+    const float depth = scene->depth[std::size_t(y) * scene->window.width + x];
+    return depth < 1.0f ? depth : 1.0f;
+}
+
+double ViewRays::sceneAt(int ray, const TilePixels& pixels) const
+{
+    constexpr double nowhere = std::numeric_limits<double>::infinity();
+    const float depth = sceneDepthAt(ray, pixels);
+    if (depth == 1.0f)
+        return nowhere;
+    // z = d w, both of which are affine along the ray.
+    const vec4d from = view_.clipFromWorld * vec4d(view_.eye, 1.0);
+    const vec4d along = view_.clipFromWorld * vec4d(pixels.worldDirection[ray], 0.0);
+    const double d = 2.0 * depth - 1.0;
+    const double t = (d * from.w - from.z) / (along.z - d * along.w);
+    return t >= 0.0 ? t : nowhere; // a depth that no point before the eye has
 }
 
 float ViewRays::depthAt(int ray, double t, const TilePixels& pixels) const

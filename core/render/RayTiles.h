@@ -28,8 +28,8 @@ struct TilePixels
 class ViewRays
 {
 public:
-    /// `halfBounds` in half voxels. Throws Error for a view that is not finite, has no pixels, or whose eye is not in
-    /// front of its screen.
+    /// `halfBounds` in half voxels. Throws Error for a view that is not finite, has no pixels, whose eye is not in
+    /// front of its screen, or whose SceneDepth does not have its pixels.
     ViewRays(const View& view, const Box3i& halfBounds, const mat4d& worldFromVoxel, bool interleave);
 
     /// Half voxels; the eye, or the point of the bounds nearest to it: floats are relative to this.
@@ -51,6 +51,12 @@ public:
     {
         return (t + start_) / pixels.voxelLength[ray];
     }
+
+    /// Where a ray meets the view's SceneDepth, along its worldDirection; infinite where nothing is there. Never
+    /// negative.
+    double sceneAt(int ray, const TilePixels& pixels) const;
+    /// That depth itself; 1 without one.
+    float sceneDepthAt(int ray, const TilePixels& pixels) const;
 
     /// The window depth in [0, 1] of the point at `t` along a ray's worldDirection.
     float depthAt(int ray, double t, const TilePixels& pixels) const;

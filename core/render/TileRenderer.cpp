@@ -125,9 +125,12 @@ TileCounts TileRenderer::render(int x, int y, Frame& frame) const
         const auto count = static_cast<std::size_t>(pixels.count);
         scene_.triangles->intersect(std::span(origins).first(count), std::span(pixels.worldDirection).first(count),
                                     std::span(hits).first(count));
-        for (int i = 0; i < pixels.count; ++i)
-            if (hits[i].hit)
-                rays_.endAt(i, hits[i].t, pixels, tile);
+    }
+    for (int i = 0; i < pixels.count; ++i) {
+        const double scene = rays_.sceneAt(i, pixels);
+        hits[i].hit = hits[i].hit && hits[i].t < scene;
+        if (const double end = hits[i].hit ? double(hits[i].t) : scene; std::isfinite(end))
+            rays_.endAt(i, end, pixels, tile);
     }
     SurfaceHits surfaceHits;
     trace(tile, result, surfaceHits);
@@ -146,7 +149,9 @@ TileCounts TileRenderer::render(int x, int y, Frame& frame) const
         }
         const std::size_t index = frame.index(pixels.x[i], pixels.y[i]);
         frame.color[index] = color;
-        frame.depth[index] = weight > 0.0 ? rays_.depthAt(i, rays_.worldFromTile(i, mean, pixels), pixels) : 1.0f;
+        const float depth = rays_.depthAt(i, rays_.worldFromTile(i, mean, pixels), pixels);
+        // Not even by rounding may it lie behind the scene that the pixel is drawn over.
+        frame.depth[index] = weight > 0.0 ? std::min(depth, rays_.sceneDepthAt(i, pixels)) : 1.0f;
     }
     return countsOf(tile, result, surfaceHits);
 }

@@ -3,7 +3,9 @@
 
 #include "brickwall/core/base/Vec.h"
 
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace brickwall {
 
@@ -16,6 +18,15 @@ struct PixelRect
     int height = 0;
 
     bool operator==(const PixelRect&) const = default;
+};
+
+/// What a scene that is drawn elsewhere has put on pixels of a view's screen, all of it opaque.
+struct SceneDepth
+{
+    PixelRect window; ///< of the screen; at least the window of the view that it is for
+    /// Window depth in [0, 1] by the view's clipFromWorld, for the pixels of `window`, row 0 at the bottom; 1: nothing
+    /// there.
+    std::vector<float> depth;
 };
 
 /// What is to be rendered: an eye, a screen in front of it, and the pixels wanted. World space, double.
@@ -37,6 +48,10 @@ struct View
     PixelRect window;
     /// For window depth alone, never for rays: clip = clipFromWorld * world. Of the whole screen.
     mat4d clipFromWorld{1.0};
+    /// Rays end at this depth, as at a triangle, but nothing is drawn there: what the frame has of volume, surfaces and
+    /// triangles is what lies in front, and its pixels belong over the scene's. The frame's depth is that of what is in
+    /// it, never beyond the scene's. Null: the view is rendered for itself.
+    std::shared_ptr<const SceneDepth> sceneDepth = nullptr;
 };
 
 /// The distance of the eye from the screen's plane along its normal (right x up, towards the viewer); positive for an
