@@ -1,6 +1,5 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
-/// An opaque model inside the volume. A picture of the volume has one depth per pixel, the mean of what is seen there:
-/// where the model is nearer, it hides the volume, elsewhere the volume lies over it.
+/// An opaque model inside the volume: it is seen through what lies before it, and hides the rest.
 #include "SmallWindow.h"
 
 #include <osg/ShapeDrawable>

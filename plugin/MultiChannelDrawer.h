@@ -37,11 +37,12 @@ class DrawerView;
 /// An image without depth, or whose matrices were never given, is drawn as in AsIs.
 ///
 /// Composition. Every pixel nearer than what the scene has drawn there is blended over it with (ONE,
-/// ONE_MINUS_SRC_ALPHA) and leaves its own depth. The window holds sRGB values, in which blending is not that of light.
-/// So the shader emits S = sRGB(C + (1 - A) b) - (1 - A) sRGB(b), b the background: over a window that was cleared to
-/// sRGB(b), blending gives exactly sRGB(C + (1 - A) b), what a picture file of the frame has. S is never negative (sRGB
-/// is concave). In front of opaque geometry of colour g it gives S + (1 - A) g, the usual blending of sRGB values. The
-/// host's depth buffer has to have 24 bits or more.
+/// ONE_MINUS_SRC_ALPHA) and leaves its own depth; one that is as far, up to the rounding of 24 bits, counts as nearer,
+/// so that images of rays that end at the scene's depth (View::sceneDepth) are shown in full. The window holds sRGB
+/// values, in which blending is not that of light. So the shader emits S = sRGB(C + (1 - A) b) - (1 - A) sRGB(b), b the
+/// background: over a window that was cleared to sRGB(b), blending gives exactly sRGB(C + (1 - A) b), what a picture
+/// file of the frame has. S is never negative (sRGB is concave). In front of opaque geometry of colour g it gives S +
+/// (1 - A) g, the usual blending of sRGB values. The host's depth buffer has to have 24 bits or more.
 ///
 /// Double buffering. rgba() and depth() give the back images; what is drawn are the front images, and nobody writes to
 /// them. swapFrame() exchanges both for every view that was written to since the last time. Pointers hold until then; a

@@ -25,12 +25,6 @@ Eye eyeOf(osgUtil::RenderStage& stage)
     return shift > 0.0 ? Eye::left : Eye::right;
 }
 
-PixelRect rectOf(const osg::Viewport& viewport)
-{
-    return {int(std::lround(viewport.x())), int(std::lround(viewport.y())), int(std::lround(viewport.width())),
-            int(std::lround(viewport.height()))};
-}
-
 /// All that moves the node is in `view`, as it is in the modelview matrix that the drawer below the node is drawn with.
 void takeMatrices(osgUtil::CullVisitor& visitor, const osg::Matrixd& nodeFromModel, OutputChannel& output)
 {
@@ -41,6 +35,12 @@ void takeMatrices(osgUtil::CullVisitor& visitor, const osg::Matrixd& nodeFromMod
 }
 
 } // namespace
+
+PixelRect rectOf(const osg::Viewport& viewport)
+{
+    return {int(std::lround(viewport.x())), int(std::lround(viewport.y())), int(std::lround(viewport.width())),
+            int(std::lround(viewport.height()))};
+}
 
 TraversalViews::Key TraversalViews::keyOf(osgUtil::CullVisitor& visitor)
 {

@@ -5,11 +5,15 @@
 
 #include <osg/Camera>
 #include <osg/NodeVisitor>
+#include <osg/Viewport>
 
 #include <mutex>
 #include <vector>
 
 namespace brickwall {
+
+/// Whole pixels.
+PixelRect rectOf(const osg::Viewport& viewport);
 
 /// The views of a node in a host that does not tell its channels: every cull traversal that reaches the node notes one,
 /// known by where the node stands in the graph, the camera, and the eye.

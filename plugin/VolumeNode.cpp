@@ -11,9 +11,13 @@
 namespace brickwall {
 
 VolumeNode::VolumeNode()
-    : views_(new TraversalViews), drawer_(new MultiChannelDrawer(views_)), place_(new osg::MatrixTransform)
+    : views_(new TraversalViews),
+      depths_(new DepthReaders(views_)),
+      drawer_(new MultiChannelDrawer(views_)),
+      place_(new osg::MatrixTransform)
 {
     place_->setCullingActive(false);
+    place_->addChild(depths_);
     place_->addChild(drawer_);
     setNumChildrenRequiringUpdateTraversal(getNumChildrenRequiringUpdateTraversal() + 1);
 }
@@ -28,11 +32,15 @@ VolumeNode::VolumeNode(const VolumeNode& other, const osg::CopyOp& copy)
       dataStamp_(other.dataStamp_),
       lookStamp_(other.lookStamp_),
       views_(new TraversalViews),
+      depths_(new DepthReaders(views_)),
       drawer_(new MultiChannelDrawer(views_)),
-      place_(new osg::MatrixTransform(other.transform()))
+      place_(new osg::MatrixTransform(other.transform())),
+      sceneDepth_(other.sceneDepth_)
 {
     place_->setCullingActive(false);
+    place_->addChild(depths_);
     place_->addChild(drawer_);
+    depths_->enable(sceneDepth_);
     setNumChildrenRequiringUpdateTraversal(getNumChildrenRequiringUpdateTraversal() + 1);
     if (data_)
         showData(data_); // by a renderer of its own
@@ -124,6 +132,15 @@ void VolumeNode::setTransferFunction(std::optional<TransferFunction> tf)
     if (tf)
         checkTransferFunction(*tf, "transfer function");
     transferFunction_ = std::move(tf);
+    ++lookStamp_;
+}
+
+void VolumeNode::setSceneDepth(bool read)
+{
+    if (read == sceneDepth_)
+        return;
+    sceneDepth_ = read;
+    depths_->enable(read);
     ++lookStamp_;
 }
 

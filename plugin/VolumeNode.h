@@ -1,7 +1,7 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "brickwall/plugin/TraversalViews.h"
+#include "brickwall/plugin/DepthReaders.h"
 #include "brickwall/plugin/ViewRendering.h"
 #include "brickwall/plugin/VolumeRenderer.h"
 
@@ -24,7 +24,8 @@ namespace brickwall {
 /// perspective shows no volume, which is noted once (osg::notify).
 ///
 /// The images show the model's world space in the node's own coordinates, by way of `transform`. Behind opaque geometry
-/// the volume is hidden, in front of it blended with it; MultiChannelDrawer says how.
+/// the volume is hidden, in front of it blended with it; MultiChannelDrawer says how. Inside of the volume the scene is
+/// seen at its depth: see setSceneDepth.
 ///
 /// Everything here belongs to the update phase of the host. Copies share the data and have a rendering of their own.
 class VolumeNode : public osg::Node
@@ -57,6 +58,15 @@ public:
     void setTransferFunction(std::optional<TransferFunction> tf);
     const std::optional<TransferFunction>& transferFunction() const { return transferFunction_; }
 
+    /// Whether rays end at the opaque geometry that the scene draws, exactly; true at the start. Its depth is read in
+    /// every draw, so that geometry that moves is followed: a picture that knows of it is asked for two frames later.
+    /// Until then, and without this, the images are tested with the one depth that each of their pixels has, and what
+    /// stands inside of the volume is either before all of it or behind. Opaque is what is drawn in a render bin before
+    /// 8 (OSG's opaque bin is 0, its transparent one 10). Of a window with several samples per pixel one is known; a
+    /// framebuffer object with several, and one without depth, is as without this.
+    void setSceneDepth(bool read);
+    bool sceneDepth() const { return sceneDepth_; }
+
     /// From the model's world space to the node's coordinates; identity at the start.
     void setTransform(const osg::Matrixd& nodeFromModel);
     const osg::Matrixd& transform() const { return place_->getMatrix(); }
@@ -84,6 +94,7 @@ private:
     void publish();
     void followViews();
     std::vector<RequestedView> viewsNow();
+    bool waitsForDepth();
     FrameMaker makerOfLook() const;
 
     SceneOptions options_;
@@ -96,8 +107,11 @@ private:
     unsigned lookStamp_ = 0;
 
     osg::ref_ptr<TraversalViews> views_;
+    osg::ref_ptr<DepthReaders> depths_;
     osg::ref_ptr<MultiChannelDrawer> drawer_;
-    osg::ref_ptr<osg::MatrixTransform> place_; ///< of the drawer; no node that other visitors see
+    osg::ref_ptr<osg::MatrixTransform> place_; ///< of both; no node that other visitors see
+    bool sceneDepth_ = true;
+    int waited_ = 0; ///< frames for a first reading
     std::optional<unsigned> updatedFrame_;
     std::vector<RequestedView> requested_; ///< latest
     std::optional<unsigned> requestedLook_;

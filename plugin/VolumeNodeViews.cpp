@@ -3,38 +3,26 @@
 #include "brickwall/core/base/Error.h"
 #include "brickwall/core/shade/Srgb.h"
 #include "brickwall/plugin/OsgConversions.h"
+#include "brickwall/plugin/SameMatrices.h"
 #include "brickwall/plugin/VolumeNode.h"
 
 #include <osg/Notify>
 #include <osgUtil/CullVisitor>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace brickwall {
 namespace {
 
-/// Of an entry of a matrix that the host computes anew for each frame: near and far go through a few roundings.
-constexpr double rounding = 1e-9;
+/// Frames that a first picture waits for the scene's depth. It takes three, if the host draws what it culls.
+constexpr int patience = 10;
 
-bool same(const osg::Matrixd& a, const osg::Matrixd& b)
-{
-    double largest = 0.0;
-    for (int i = 0; i < 16; ++i)
-        largest = std::max(largest, std::abs(b.ptr()[i]));
-    for (int i = 0; i < 16; ++i) {
-        const double x = a.ptr()[i], y = b.ptr()[i];
-        if (!(std::abs(x - y) <= rounding * std::max(std::abs(y), 1e-3 * largest)))
-            return false;
-    }
-    return true;
-}
-
-bool same(const std::vector<RequestedView>& a, const std::vector<RequestedView>& b)
+bool sameViews(const std::vector<RequestedView>& a, const std::vector<RequestedView>& b)
 {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const RequestedView& x, const RequestedView& y) {
-        return x.drawerView == y.drawerView && x.view.window == y.view.window && same(x.projection, y.projection) &&
+        return x.drawerView == y.drawerView && x.view.window == y.view.window &&
+               x.view.sceneDepth == y.view.sceneDepth && same(x.projection, y.projection) &&
                same(x.model * x.viewing, y.model * y.viewing);
     });
 }
@@ -82,13 +70,20 @@ void VolumeNode::update(unsigned frame)
 
     std::vector<RequestedView> views = viewsNow();
     const bool newLook = requestedLook_ != lookStamp_;
-    const bool newViews = !same(views, requested_);
-    if (!views.empty() && (newLook || newViews)) {
+    const bool newViews = !sameViews(views, requested_);
+    if (!views.empty() && (newLook || newViews) && !waitsForDepth()) {
         rendering_->request(views, makerOfLook(), newLook);
         requestedLook_ = lookStamp_;
         requested_ = std::move(views);
     }
-    settled_ = !requested_.empty() && !newLook && !newViews && rendering_->idle();
+    settled_ = !requested_.empty() && !newLook && !newViews && !depths_->areBehind() && rendering_->idle();
+}
+
+/// A first picture without the scene's depth would delay the right one by the time that it takes.
+bool VolumeNode::waitsForDepth()
+{
+    waited_ = depths_->areIncomplete() ? waited_ + 1 : 0;
+    return waited_ > 0 && waited_ <= patience;
 }
 
 void VolumeNode::publish()
@@ -112,19 +107,24 @@ void VolumeNode::followViews()
             drawer_->resizeView(view, 0, 0);
         drawer_->swapFrame();
     });
+    depths_->follow(changed);
     requested_.clear();
 }
 
+/// With what each was drawn with when the scene's depth was read, which is one draw ago: an image that fits its depth,
+/// and is warped to the newest place of the eye, is better than one without it.
 std::vector<RequestedView> VolumeNode::viewsNow()
 {
     std::vector<RequestedView> views;
     for (const int index : views_->living()) {
         const OutputChannel channel = views_->channel(index);
+        const DepthReading reading = depths_->latest(index).value_or(
+            DepthReading{channel.viewport, channel.model * channel.view, channel.projection, nullptr});
         try {
-            const View view =
-                viewOfMatrices(channel.name, toGlm(channel.model * channel.view), toGlm(channel.projection),
-                               channel.viewport.width, channel.viewport.height);
-            views.push_back({index, view, channel.model, channel.view, channel.projection});
+            View view = viewOfMatrices(channel.name, toGlm(reading.modelview), toGlm(reading.projection),
+                                       reading.viewport.width, reading.viewport.height);
+            view.sceneDepth = reading.depth;
+            views.push_back({index, std::move(view), osg::Matrixd(), reading.modelview, reading.projection});
             if (views.size() == 1)
                 drawer_->setBackground(linear(views_->clearColor(index)));
         } catch (const Error& error) {

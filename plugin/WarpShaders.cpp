@@ -34,8 +34,10 @@ vec4 emitted(vec4 color)
 }
 )";
 
+// A ray that has ended at the scene's own depth is drawn over it: that may not be lost in a buffer of 24 bits.
 const std::string asIsFragment = composition + R"(
 varying vec2 texel;
+const float rounding = 1.0 / 4194304.0;
 
 void main()
 {
@@ -45,7 +47,7 @@ void main()
         discard;
     float depth = texture2D(brickwallDepth, place).r;
     vec4 clip = brickwallDrawnFromImage * vec4(2.0 * vec3(texel, depth) - 1.0, 1.0);
-    gl_FragDepth = clamp(0.5 * clip.z / clip.w + 0.5, 0.0, 1.0);
+    gl_FragDepth = clamp(0.5 * clip.z / clip.w + 0.5 - rounding, 0.0, 1.0);
     gl_FragColor = emitted(color);
 }
 )";

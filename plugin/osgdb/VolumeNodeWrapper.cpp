@@ -143,5 +143,8 @@ REGISTER_OBJECT_WRAPPER(brickwall_VolumeNode, new brickwall::VolumeNode, brickwa
     wrapper->addSerializer(
         new osgDB::UserSerializer<MyClass>("Transform", &checkTransform, &readTransform, &writeTransform),
         osgDB::BaseSerializer::RW_USER);
+    wrapper->addSerializer(new osgDB::PropByValSerializer<MyClass, bool>("SceneDepth", true, &MyClass::sceneDepth,
+                                                                         &MyClass::setSceneDepth),
+                           osgDB::BaseSerializer::RW_BOOL);
     wrapper->addFinishedObjectReadCallback(new ReadData);
 }

@@ -124,11 +124,12 @@ TEST(OsgPlugin, SaysInOneLineWhatIsWrongAndTheHostGoesOn)
     EXPECT_NE(option.find("--tolerance: expected a number above 0"), std::string::npos) << option;
     // A file that names data which are gone still loads, with a notice.
     std::ofstream(good) << "#Ascii Scene\n#Version 162\n#Generator OpenSceneGraph 3.6.5\n\n"
-                           "brickwall::VolumeNode {\n  UniqueID 1\n  Data \"/no/such.exa\"\n}\n";
+                           "brickwall::VolumeNode {\n  UniqueID 1\n  Data \"/no/such.exa\"\n  SceneDepth FALSE\n}\n";
     const std::string kept = scratchFile("kept.osgt");
     const std::string notice = convert(good + " " + kept);
     EXPECT_NE(notice.find("/no/such.exa: there is no such file or folder"), std::string::npos) << notice;
     EXPECT_NE(contentOf(kept).find("Data \"/no/such.exa\""), std::string::npos) << contentOf(kept);
+    EXPECT_NE(contentOf(kept).find("SceneDepth FALSE"), std::string::npos) << contentOf(kept);
 }
 
 } // namespace

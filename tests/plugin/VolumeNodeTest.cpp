@@ -1,14 +1,12 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#include "CubeScene.h"
 #include "NodeViewer.h"
 #include "TestDisplay.h"
 #include "TestRigs.h"
 
 #include "brickwall/tests/common/ErrorOf.h"
-#include "brickwall/tests/render/RenderScenes.h"
 
 #include <gtest/gtest.h>
-
-#include <glm/gtc/matrix_transform.hpp>
 
 #include <osg/DisplaySettings>
 #include <osg/MatrixTransform>
@@ -20,21 +18,6 @@ namespace brickwall::test {
 namespace {
 
 constexpr PixelRect whole{0, 0, NodeViewer::width, NodeViewer::height};
-
-/// A cube of 4 x 4 x 4 about the origin.
-Scene cubeScene()
-{
-    const auto bricks = threeLevels(3);
-    const mat4d worldFromVoxel = glm::translate(mat4d(1.0), vec3d(-2.0)) * glm::scale(mat4d(1.0), vec3d(4.0 / 32.0));
-    return sceneOf(bricks, fieldOf(bricks, waves), colorful({-1.0f, 1.0f}), worldFromVoxel);
-}
-
-osg::ref_ptr<VolumeNode> cubeNode()
-{
-    osg::ref_ptr<VolumeNode> node = new VolumeNode;
-    node->show(cubeScene());
-    return node;
-}
 
 /// Counts what is asked for; every frame is opaque and green at half the depth range.
 struct Counter
