@@ -16,6 +16,11 @@ VolumeNode::VolumeNode()
       drawer_(new MultiChannelDrawer(views_)),
       place_(new osg::MatrixTransform)
 {
+    assemble();
+}
+
+void VolumeNode::assemble()
+{
     place_->setCullingActive(false);
     place_->addChild(depths_);
     place_->addChild(drawer_);
@@ -37,11 +42,8 @@ VolumeNode::VolumeNode(const VolumeNode& other, const osg::CopyOp& copy)
       place_(new osg::MatrixTransform(other.transform())),
       sceneDepth_(other.sceneDepth_)
 {
-    place_->setCullingActive(false);
-    place_->addChild(depths_);
-    place_->addChild(drawer_);
+    assemble();
     depths_->enable(sceneDepth_);
-    setNumChildrenRequiringUpdateTraversal(getNumChildrenRequiringUpdateTraversal() + 1);
     if (data_)
         showData(data_); // by a renderer of its own
 }

@@ -91,6 +91,7 @@ private:
     void showData(std::shared_ptr<const VolumeData> data);
     void cull(osgUtil::CullVisitor& visitor);
     void update(unsigned frame);
+    void assemble();
     void publish();
     void followViews();
     std::vector<RequestedView> viewsNow();
