@@ -200,13 +200,23 @@ SceneOptions sceneOf(const Node& node, const std::filesystem::path& folder)
     maybeNumbers(node, "iso", scene.iso);
     maybeNumbers(node, "iso_color", scene.isoColors);
     maybeNumbers(node, "iso_opacity", scene.isoOpacity);
+    maybeNumbers(node, "light", scene.light);
+    node.maybe("ambient", scene.ambient);
+    maybeNumbers(node, "plane", scene.planes);
+    node.maybe("plane_opacity", scene.planeOpacity);
+    maybeNumbers(node, "clip_plane", scene.clipPlanes);
+    maybeNumbers(node, "clip_box", scene.clipBox);
+    maybeNumbers(node, "clip_sphere", scene.clipSphere);
     node.maybe("method", scene.method);
     node.maybe("dt", scene.dt);
     const auto placeOf = [&](std::string_view key) { return fmt::format("{}: \"{}\"", node.place(), key); };
+    const auto fractionOf = [&](const char* key) {
+        return node.at(key).is_string() ? parseNumber(node.get<std::string>(key), placeOf(key)) : node.get<double>(key);
+    };
     if (node.has("tolerance"))
-        scene.tolerance = node.at("tolerance").is_string()
-                              ? parseNumber(node.get<std::string>("tolerance"), placeOf("tolerance"))
-                              : node.get<double>("tolerance");
+        scene.tolerance = fractionOf("tolerance");
+    if (node.has("light_tolerance"))
+        scene.lightTolerance = fractionOf("light_tolerance");
     checkSceneOptions(scene, placeOf);
     return scene;
 }
@@ -226,8 +236,11 @@ ViewFile readViewFile(const std::string& path)
     const json root = parse(path);
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
     const Node node(root, path,
-                    {"data", "derive", "field", "non_finite", "tf", "colormap", "range", "opacity_scale", "shading",
-                     "volume", "iso", "iso_color", "iso_opacity", "method", "tolerance", "dt", "views"});
+                    {"data",        "derive",        "field",       "non_finite",      "tf",        "colormap",
+                     "range",       "opacity_scale", "shading",     "volume",          "iso",       "iso_color",
+                     "iso_opacity", "light",         "ambient",     "light_tolerance", "plane",     "plane_opacity",
+                     "clip_plane",  "clip_box",      "clip_sphere", "method",          "tolerance", "dt",
+                     "views"});
     ViewFile file;
     file.path = path;
     file.scene = sceneOf(node, folder);

@@ -114,7 +114,7 @@ void walk(benchmark::State& state)
 {
     const Data& data = wake();
     const View view = viewOf(data, 512);
-    const ViewRays rays(view, data.regions->bounds, data.worldFromVoxel, true);
+    const ViewRays rays(view, data.regions->bounds, data.worldFromVoxel, ClipRegion(), true);
     TraceScene scene;
     scene.regions = data.regions.get();
     scene.nodes = data.regions->nodes;

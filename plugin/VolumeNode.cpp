@@ -3,12 +3,26 @@
 
 #include "brickwall/core/base/BoxCorners.h"
 #include "brickwall/core/base/Error.h"
+#include "brickwall/plugin/NodeTriangles.h"
 #include "brickwall/plugin/OsgConversions.h"
 #include "brickwall/plugin/RigViewer.h"
+
+#include <glm/matrix.hpp>
 
 #include <utility>
 
 namespace brickwall {
+namespace {
+
+std::vector<double> numbersOf(const std::vector<Plane>& planes)
+{
+    std::vector<double> numbers;
+    for (const Plane& plane : planes)
+        numbers.insert(numbers.end(), {plane.normal.x, plane.normal.y, plane.normal.z, plane.offset});
+    return numbers;
+}
+
+} // namespace
 
 VolumeNode::VolumeNode()
     : views_(new TraversalViews),
@@ -146,9 +160,66 @@ void VolumeNode::setSceneDepth(bool read)
     ++lookStamp_;
 }
 
+void VolumeNode::setPlanes(const std::vector<Plane>& planes, double opacity)
+{
+    SceneOptions options = options_;
+    options.planes = numbersOf(planes);
+    options.planeOpacity = opacity;
+    setOptions(options);
+}
+
+void VolumeNode::setClip(const ClipRegion& region)
+{
+    SceneOptions options = options_;
+    options.clipPlanes = numbersOf(region.planes);
+    options.clipBox.clear();
+    if (const auto& box = region.box)
+        options.clipBox = {box->lower.x, box->lower.y, box->lower.z, box->upper.x, box->upper.y, box->upper.z};
+    options.clipSphere.clear();
+    if (const auto& sphere = region.sphere)
+        options.clipSphere = {sphere->center.x, sphere->center.y, sphere->center.z, sphere->radius};
+    setOptions(options);
+}
+
+void VolumeNode::setLight(const std::optional<Light>& light)
+{
+    SceneOptions options = options_;
+    options.light.clear();
+    if (light) {
+        options.light = {light->towards.x, light->towards.y, light->towards.z};
+        options.ambient = light->ambient;
+        options.lightTolerance = light->tolerance;
+    }
+    setOptions(options);
+}
+
+void VolumeNode::setOccluders(osg::Node* scene)
+{
+    std::vector<TriangleMesh> meshes = scene ? trianglesOf(*scene) : std::vector<TriangleMesh>();
+    std::swap(occluderMeshes_, meshes);
+    try {
+        placeOccluders();
+    } catch (...) {
+        std::swap(occluderMeshes_, meshes);
+        throw;
+    }
+}
+
+void VolumeNode::placeOccluders()
+{
+    const mat4d modelFromNode = glm::inverse(toGlm(transform()));
+    std::vector<TriangleMesh> meshes;
+    for (const TriangleMesh& mesh : occluderMeshes_)
+        meshes.push_back(transformed(mesh, modelFromNode));
+    occluders_ = std::make_shared<TriangleScene>(meshes);
+    ++lookStamp_;
+}
+
 void VolumeNode::setTransform(const osg::Matrixd& nodeFromModel)
 {
     place_->setMatrix(nodeFromModel);
+    if (!occluderMeshes_.empty())
+        placeOccluders();
     dirtyBound();
 }
 

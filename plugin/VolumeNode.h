@@ -67,6 +67,18 @@ public:
     void setSceneDepth(bool read);
     bool sceneDepth() const { return sceneDepth_; }
 
+    /// In the model's world space; needs no reading.
+    void setPlanes(const std::vector<Plane>& planes, double opacity = 1.0);
+    void setClip(const ClipRegion& region);
+    void setLight(const std::optional<Light>& light);
+
+    /// Opaque geometry that the renderer is to know, whatever draws it: rays end at it in every picture, at once, also
+    /// in cameras whose depth is not read, and it casts shadows if there is a light. `scene` is in the node's own
+    /// coordinates, as its sibling is; its triangles are copied in this call, so call again when it has moved. It need
+    /// not be in the graph, and is not drawn by this. Null for none, as at the start. Not kept in files, nor by copies.
+    /// Throws Error for vertices that are not finite.
+    void setOccluders(osg::Node* scene);
+
     /// From the model's world space to the node's coordinates; identity at the start.
     void setTransform(const osg::Matrixd& nodeFromModel);
     const osg::Matrixd& transform() const { return place_->getMatrix(); }
@@ -97,13 +109,16 @@ private:
     std::vector<RequestedView> viewsNow();
     bool waitsForDepth();
     FrameMaker makerOfLook() const;
+    void placeOccluders();
 
     SceneOptions options_;
     std::optional<TransferFunction> transferFunction_;
     std::shared_ptr<const VolumeData> data_;
-    std::shared_ptr<VolumeRenderer> renderer_; ///< called by the rendering thread alone
-    Box3d modelBounds_;                        ///< of the model's world space; empty: nothing is shown
-    FrameMaker makeFrames_;                    ///< of a program
+    std::vector<TriangleMesh> occluderMeshes_;       ///< in the node's coordinates
+    std::shared_ptr<const TriangleScene> occluders_; ///< in the model's world space
+    std::shared_ptr<VolumeRenderer> renderer_;       ///< called by the rendering thread alone
+    Box3d modelBounds_;                              ///< of the model's world space; empty: nothing is shown
+    FrameMaker makeFrames_;                          ///< of a program
     unsigned dataStamp_ = 0;
     unsigned lookStamp_ = 0;
 

@@ -139,7 +139,7 @@ FrameMaker VolumeNode::makerOfLook() const
 {
     if (makeFrames_)
         return makeFrames_;
-    return [renderer = renderer_, look = VolumeLook{options_, transferFunction_, lookStamp_}](
+    return [renderer = renderer_, look = VolumeLook{options_, transferFunction_, occluders_, lookStamp_}](
                std::span<const View> views, Progress& progress) { return renderer->render(look, views, progress); };
 }
 

@@ -18,6 +18,14 @@ bool needsReading(const SceneOptions& a, const SceneOptions& b)
     asRead.iso = b.iso;
     asRead.isoColors = b.isoColors;
     asRead.isoOpacity = b.isoOpacity;
+    asRead.light = b.light;
+    asRead.ambient = b.ambient;
+    asRead.lightTolerance = b.lightTolerance;
+    asRead.planes = b.planes;
+    asRead.planeOpacity = b.planeOpacity;
+    asRead.clipPlanes = b.clipPlanes;
+    asRead.clipBox = b.clipBox;
+    asRead.clipSphere = b.clipSphere;
     asRead.background = b.background;
     asRead.method = b.method;
     asRead.tolerance = b.tolerance;
@@ -46,11 +54,19 @@ void VolumeRenderer::take(const VolumeLook& look, Progress& progress)
     Scene scene = data_->prepared.scene; // what is large in it is shared
     if (look.transferFunction)
         scene.transferFunction = *look.transferFunction;
-    if (!fromProgram)
+    if (!fromProgram) {
         scene.surfaces = isoSurfaces(look.options, scene.transferFunction);
+        scene.planes = contourPlanes(look.options);
+        scene.clip = clipRegion(look.options);
+    }
+    if (look.occluders)
+        scene.occluders = look.occluders;
     if (renderer_) {
         renderer_->setTransferFunction(scene.transferFunction);
         renderer_->setSurfaces(std::move(scene.surfaces));
+        renderer_->setPlanes(std::move(scene.planes));
+        renderer_->setClip(std::move(scene.clip));
+        renderer_->setOccluders(std::move(scene.occluders));
     } else {
         executor_.emplace(look.options.threads);
         renderer_.emplace(std::move(scene), *executor_);

@@ -28,6 +28,7 @@ struct VolumeLook
 {
     SceneOptions options;
     std::optional<TransferFunction> transferFunction; ///< instead of that of the options
+    std::shared_ptr<const TriangleScene> occluders;   ///< instead of the scene's own, if not null
     unsigned stamp = 0;                               ///< equal stamps, equal looks
 };
 

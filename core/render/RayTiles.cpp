@@ -11,7 +11,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <utility>
 
 namespace brickwall {
@@ -81,40 +80,22 @@ void checkView(const View& view)
         checkSceneDepth(view);
 }
 
-/// Where the ray is in the box, starting at 0; nothing if it is nowhere. Lower faces belong to the box.
-std::optional<std::pair<double, double>> clip(const Box3d& box, const vec3d& org, const vec3d& dir)
-{
-    double t0 = 0.0, t1 = std::numeric_limits<double>::infinity();
-    for (int axis = 0; axis < 3; ++axis) {
-        if (dir[axis] == 0.0) {
-            if (org[axis] < box.lower[axis] || org[axis] >= box.upper[axis])
-                return {};
-            continue;
-        }
-        const double a = (box.lower[axis] - org[axis]) / dir[axis];
-        const double b = (box.upper[axis] - org[axis]) / dir[axis];
-        t0 = std::max(t0, std::min(a, b));
-        t1 = std::min(t1, std::max(a, b));
-    }
-    if (!(t0 < t1))
-        return {};
-    return std::pair(t0, t1);
-}
-
 } // namespace
 
-ViewRays::ViewRays(const View& view, const Box3i& halfBounds, const mat4d& worldFromVoxel, bool interleave)
+ViewRays::ViewRays(const View& view, const Box3i& halfBounds, const mat4d& worldFromVoxel, const ClipRegion& region,
+                   bool interleave)
     : view_(view),
       bounds_{0.5 * vec3d(halfBounds.lower), 0.5 * vec3d(halfBounds.upper)},
+      region_(region),
       interleave_(interleave),
+      voxelFromWorld_(glm::inverse(worldFromVoxel)),
       voxelWidth_(stretchOf(worldFromVoxel))
 {
     checkView(view);
-    const mat4d voxelFromWorld = glm::inverse(worldFromVoxel);
-    eye_ = transformPoint(voxelFromWorld, view.eye);
-    toLowerLeft_ = transformVector(voxelFromWorld, view.lowerLeft - view.eye);
-    right_ = transformVector(voxelFromWorld, view.lowerRight - view.lowerLeft);
-    up_ = transformVector(voxelFromWorld, view.upperRight - view.lowerRight);
+    eye_ = transformPoint(voxelFromWorld_, view.eye);
+    toLowerLeft_ = transformVector(voxelFromWorld_, view.lowerLeft - view.eye);
+    right_ = transformVector(voxelFromWorld_, view.lowerRight - view.lowerLeft);
+    up_ = transformVector(voxelFromWorld_, view.upperRight - view.lowerRight);
     if (!finite(eye_))
         throw Error(fmt::format("view '{}'", view.name), "expected worldFromVoxel to be invertible");
     const vec3d nearest = glm::clamp(eye_, bounds_.lower, bounds_.upper);
@@ -145,16 +126,22 @@ void ViewRays::fill(int x, int y, TilePixels& pixels, RayTile& rays) const
         rays.offset[n] = interleave_ ? offsetOfPixel(screenX, screenY) : 0.0f;
         const double worldLength = glm::length(pixels.worldDirection[n]) / voxelWidth_;
         rays.worldStretch[n] = static_cast<float>(worldLength / pixels.voxelLength[n]);
-        setRay(n, direction / pixels.voxelLength[n], rays);
+        setRay(n, direction / pixels.voxelLength[n], pixels, rays);
         ++n;
     }
     pixels.count = rays.count = n;
 }
 
-void ViewRays::setRay(int ray, const vec3d& direction, RayTile& rays) const
+void ViewRays::setRay(int ray, const vec3d& direction, const TilePixels& pixels, RayTile& rays) const
 {
     const vec3d org = (eye_ + start_ * direction) - 0.5 * vec3d(origin_);
-    const auto inside = clip(bounds_, eye_, direction);
+    auto inside = clip(bounds_, eye_, direction);
+    if (inside && !region_.isEverything()) {
+        const double length = pixels.voxelLength[ray];
+        inside = clip(region_, view_.eye, pixels.worldDirection[ray], inside->first / length, inside->second / length);
+        if (inside)
+            inside = std::pair(inside->first * length, inside->second * length);
+    }
     for (int axis = 0; axis < 3; ++axis) {
         rays.org[axis][ray] = inside ? static_cast<float>(org[axis]) : 0.0f;
         rays.dir[axis][ray] = static_cast<float>(direction[axis]);
@@ -178,6 +165,11 @@ float ViewRays::sceneDepthAt(int ray, const TilePixels& pixels) const
               y = view_.window.y + pixels.y[ray] - scene->window.y;
     const float depth = scene->depth[std::size_t(y) * scene->window.width + x];
     return depth < 1.0f ? depth : 1.0f;
+}
+
+vec3d ViewRays::voxelAt(int ray, double t, const TilePixels& pixels) const
+{
+    return eye_ + t * transformVector(voxelFromWorld_, pixels.worldDirection[ray]);
 }
 
 double ViewRays::sceneAt(int ray, const TilePixels& pixels) const

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brickwall/core/base/Box.h"
+#include "brickwall/core/render/ClipRegion.h"
 #include "brickwall/core/render/View.h"
 #include "brickwall/core/trace/TraceTile.h"
 
@@ -30,14 +31,15 @@ class ViewRays
 public:
     /// `halfBounds` in half voxels. Throws Error for a view that is not finite, has no pixels, whose eye is not in
     /// front of its screen, or whose SceneDepth does not have its pixels.
-    ViewRays(const View& view, const Box3i& halfBounds, const mat4d& worldFromVoxel, bool interleave);
+    ViewRays(const View& view, const Box3i& halfBounds, const mat4d& worldFromVoxel, const ClipRegion& region,
+             bool interleave);
 
     /// Half voxels; the eye, or the point of the bounds nearest to it: floats are relative to this.
     const vec3i& origin() const { return origin_; }
     const View& view() const { return view_; }
 
-    /// Rays of the tile at (x, y) of the frame, clipped to its edges, and to the data's bounds. Neighbouring rays are
-    /// neighbours on the screen, in blocks of 2 x 2, 4 x 2, 4 x 4 and so on.
+    /// Rays of the tile at (x, y) of the frame, clipped to its edges, to the data's bounds and to the region.
+    /// Neighbouring rays are neighbours on the screen, in blocks of 2 x 2, 4 x 2, 4 x 4 and so on.
     void fill(int x, int y, TilePixels& pixels, RayTile& rays) const;
     /// Ends the ray at a hit at `t` along its worldDirection.
     void endAt(int ray, double t, const TilePixels& pixels, RayTile& rays) const;
@@ -52,6 +54,9 @@ public:
         return (t + start_) / pixels.voxelLength[ray];
     }
 
+    /// The point at `t` along a ray's worldDirection, in voxel space.
+    vec3d voxelAt(int ray, double t, const TilePixels& pixels) const;
+
     /// Where a ray meets the view's SceneDepth, along its worldDirection; infinite where nothing is there. Never
     /// negative.
     double sceneAt(int ray, const TilePixels& pixels) const;
@@ -62,11 +67,13 @@ public:
     float depthAt(int ray, double t, const TilePixels& pixels) const;
 
 private:
-    void setRay(int ray, const vec3d& direction, RayTile& rays) const;
+    void setRay(int ray, const vec3d& direction, const TilePixels& pixels, RayTile& rays) const;
 
     View view_;
     Box3d bounds_; ///< voxels
+    ClipRegion region_;
     bool interleave_;
+    mat4d voxelFromWorld_;
     vec3d eye_; ///< voxel space, as the next three
     vec3d toLowerLeft_;
     vec3d right_;

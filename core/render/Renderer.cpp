@@ -61,10 +61,31 @@ void checkSurface(const IsoSurface& surface)
                     fmt::format("expected an opacity of more than 0 and at most 1, found {:g}", surface.opacity));
 }
 
+void checkPlane(const ContourPlane& contour)
+{
+    checkPlane(contour.plane, "contour plane");
+    if (!(contour.opacity > 0.0f && contour.opacity <= 1.0f))
+        throw Error("contour plane",
+                    fmt::format("expected an opacity of more than 0 and at most 1, found {:g}", contour.opacity));
+}
+
 void checkTolerance(const BoundedConfig& config)
 {
     if (!(config.tolerance > 0.0f && config.tolerance <= 1.0f))
         throw Error("tolerance", fmt::format("expected more than 0 and at most 1, found {:g}", config.tolerance));
+}
+
+void checkLight(const Light& light)
+{
+    const double length = glm::length(light.towards);
+    if (!(length > 0.0) || !std::isfinite(length))
+        throw Error("light", fmt::format("expected a finite direction, not of length 0, found ({:g}, {:g}, {:g})",
+                                         light.towards.x, light.towards.y, light.towards.z));
+    if (!(light.ambient >= 0.0f && light.ambient <= 1.0f))
+        throw Error("light", fmt::format("expected an ambient part from 0 to 1, found {:g}", light.ambient));
+    if (!(light.tolerance > 0.0f && light.tolerance <= 1.0f))
+        throw Error("light",
+                    fmt::format("expected a tolerance of more than 0 and at most 1, found {:g}", light.tolerance));
 }
 
 std::array<double, 6> gradientMetric(const mat4d& worldFromVoxel)
@@ -161,7 +182,12 @@ struct Renderer::State
         s.volume.gradientMetric = toFloat(gradientMetric(scene.worldFromVoxel));
         s.surfaces = scene.surfaces;
         s.surfaceNodes = surfaceNodes;
+        s.planes = scene.planes;
+        s.transferFunction = &scene.transferFunction;
+        s.clip = &scene.clip;
+        s.worldFromVoxel = scene.worldFromVoxel;
         s.triangles = scene.triangles.get();
+        s.occluders = scene.occluders.get();
         return s;
     }
 
@@ -170,7 +196,10 @@ struct Renderer::State
     {
         if (settings.method != Method::reference)
             return {};
-        return ReferenceIntegrator(*scene.regions, *scene.field, scene.transferFunction, scene.surfaces,
+        const std::span<const IsoSurface> surfaces = settings.light || !scene.planes.empty()
+                                                         ? std::span<const IsoSurface>()
+                                                         : scene.surfaces; // TileRenderer adds them
+        return ReferenceIntegrator(*scene.regions, *scene.field, scene.transferFunction, surfaces,
                                    gradientMetric(scene.worldFromVoxel), settings.shading == Shading::headlight);
     }
 };
@@ -182,6 +211,8 @@ Renderer::Renderer(Scene scene, const Executor& executor)
     state_ = std::make_unique<State>(State{std::move(scene), executor, {}, {}, {}, {}, {}});
     setTransferFunction(transferFunction);
     setSurfaces(std::vector<IsoSurface>(state_->scene.surfaces));
+    setPlanes(std::vector<ContourPlane>(state_->scene.planes));
+    setClip(ClipRegion(state_->scene.clip));
 }
 
 Renderer::~Renderer() = default;
@@ -212,20 +243,41 @@ void Renderer::setSurfaces(std::vector<IsoSurface> surfaces)
     state_->scene.surfaces = std::move(surfaces);
 }
 
+void Renderer::setPlanes(std::vector<ContourPlane> planes)
+{
+    for (const ContourPlane& plane : planes)
+        checkPlane(plane);
+    state_->scene.planes = std::move(planes);
+}
+
+void Renderer::setClip(ClipRegion clip)
+{
+    checkClipRegion(clip);
+    state_->scene.clip = std::move(clip);
+}
+
+void Renderer::setOccluders(std::shared_ptr<const TriangleScene> occluders)
+{
+    state_->scene.occluders = std::move(occluders);
+}
+
 std::vector<Frame> Renderer::render(std::span<const View> views, const RenderSettings& settings, Progress& progress,
                                     std::vector<ViewStatistics>* statistics) const
 {
     const Scene& scene = state_->scene;
     checkSteps(settings.step, scene.regions->bounds);
     checkTolerance(settings.bounded);
+    if (settings.light)
+        checkLight(*settings.light);
     const std::optional<ReferenceIntegrator> reference = state_->reference(settings);
     TileScene tileScene = state_->tileScene();
     tileScene.reference = reference ? &*reference : nullptr;
     std::vector<TileRenderer> renderers;
     std::vector<Frame> frames;
     for (const View& view : views) {
-        renderers.emplace_back(ViewRays(view, scene.regions->bounds, scene.worldFromVoxel, settings.step.interleave),
-                               tileScene, settings);
+        renderers.emplace_back(
+            ViewRays(view, scene.regions->bounds, scene.worldFromVoxel, scene.clip, settings.step.interleave),
+            tileScene, settings);
         frames.push_back(emptyFrame(view));
     }
 

@@ -4,14 +4,18 @@
 #include "brickwall/core/base/Executor.h"
 #include "brickwall/core/base/Progress.h"
 #include "brickwall/core/model/Regions.h"
+#include "brickwall/core/render/ClipRegion.h"
+#include "brickwall/core/render/ContourPlane.h"
 #include "brickwall/core/render/Frame.h"
 #include "brickwall/core/shade/IsoSurface.h"
+#include "brickwall/core/shade/Light.h"
 #include "brickwall/core/shade/TransferFunction.h"
 #include "brickwall/core/trace/TraceTile.h"
 #include "brickwall/core/trace/TriangleScene.h"
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -55,6 +59,8 @@ struct RenderSettings
     BoundedConfig bounded;
     StepConfig step;
     Shading shading = Shading::headlight;
+    /// Of all methods; without it nothing has a shadow. The methods' own errors are those of the picture without it.
+    std::optional<Light> light;
 };
 
 /// What is rendered. Immutable parts are shared, so that a scene with another transfer function costs nothing.
@@ -62,10 +68,15 @@ struct Scene
 {
     std::shared_ptr<const RegionTree> regions;
     std::shared_ptr<const PaddedField> field;
-    std::shared_ptr<const TriangleScene> triangles; ///< may be null
+    std::shared_ptr<const TriangleScene> triangles; ///< opaque, grey; may be null
+    /// Opaque triangles that are drawn elsewhere, and not here: rays end there like at a view's SceneDepth, and shadows
+    /// are cast. May be null.
+    std::shared_ptr<const TriangleScene> occluders;
     TransferFunction transferFunction;
     mat4d worldFromVoxel{1.0};
     std::vector<IsoSurface> surfaces; ///< in any order
+    std::vector<ContourPlane> planes; ///< likewise
+    ClipRegion clip;
 };
 
 struct ViewStatistics
@@ -74,7 +85,7 @@ struct ViewStatistics
     double milliseconds = 0.0; ///< the view's part of the call: the time spent on its tiles / threads
     std::uint64_t rays = 0;
     TraceCounts counts;
-    std::uint64_t surfaceHits = 0;
+    std::uint64_t surfaceHits = 0; ///< of isosurfaces and contour planes
     /// Of the bounded method: the largest error that it admits to have made in a pixel, and the pixels where that is
     /// more than the tolerance, with the reason; 0 and empty otherwise.
     float largestBound = 0.0f;
@@ -102,6 +113,10 @@ public:
     void setTransferFunction(const TransferFunction& transferFunction);
     /// Throws Error if a value, a colour or an opacity is out of its bounds; then nothing has changed.
     void setSurfaces(std::vector<IsoSurface> surfaces);
+    void setPlanes(std::vector<ContourPlane> planes);
+    void setClip(ClipRegion clip);
+    /// Null for none.
+    void setOccluders(std::shared_ptr<const TriangleScene> occluders);
 
     /// Rays that one instruction handles, and the name of the instruction set, as chosen on this machine.
     static int lanes();

@@ -1,6 +1,8 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "brickwall/core/render/TileRenderer.h"
 
+#include "brickwall/core/render/LitVolume.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -9,27 +11,16 @@
 namespace brickwall {
 namespace {
 
-/// Opaque grey, lit from the eye from both sides, linear.
-float surfaceShade(const TriangleHit& hit, const vec3d& direction)
-{
-    const double cosine = std::abs(glm::dot(vec3d(hit.normal), glm::normalize(direction)));
-    return static_cast<float>(0.8 * (0.2 + 0.8 * cosine));
-}
+/// Of opaque triangles, linear.
+constexpr float grey = 0.8f;
 
-/// Null beyond the ray's last one.
-const SurfaceHit* hitAt(const SurfaceHits& hits, int ray, std::uint32_t number)
+void add(const Layer& layer, int ray, TileResult& result)
 {
-    const std::uint32_t index = hits.first[ray] + number;
-    return index < hits.first[ray + 1] ? &hits.hits[index] : nullptr;
-}
-
-void addSurface(const IsoSurface& surface, const SurfaceHit& hit, int ray, TileResult& result)
-{
-    const float weight = result.transmittance[ray] * surface.opacity;
+    const float weight = result.transmittance[ray] * layer.opacity;
     for (int c = 0; c < 3; ++c)
-        result.color[c][ray] += weight * surface.color[c] * hit.shade;
-    result.weightedDistance[ray] += weight * static_cast<float>(hit.t);
-    result.transmittance[ray] *= 1.0f - surface.opacity;
+        result.color[c][ray] += weight * layer.color[c] * layer.shade;
+    result.weightedDistance[ray] += weight * static_cast<float>(layer.t);
+    result.transmittance[ray] *= 1.0f - layer.opacity;
 }
 
 } // namespace
@@ -38,8 +29,11 @@ TileRenderer::TileRenderer(const ViewRays& rays, const TileScene& scene, const R
     : rays_(rays), scene_(scene), settings_(settings)
 {
     scene_.volume.origin = rays.origin();
-    if (scene_.triangles && scene_.triangles->empty())
-        scene_.triangles = nullptr;
+    for (const TriangleScene** triangles : {&scene_.triangles, &scene_.occluders})
+        if (*triangles && (*triangles)->empty())
+            *triangles = nullptr;
+    if (settings.light)
+        light_.emplace(scene_, settings);
 }
 
 TileCounts& TileCounts::operator+=(const TileCounts& other)
@@ -53,62 +47,129 @@ TileCounts& TileCounts::operator+=(const TileCounts& other)
 
 void TileRenderer::integrate(const RayTile& tile, TileResult& result) const
 {
-    const bool headlight = settings_.shading == Shading::headlight;
-    const StepParameters steps{settings_.step.dt, settings_.step.terminationOpacity, headlight};
-    switch (settings_.method) {
-    case Method::bounded:
-        return traceBounded(scene_.volume, {settings_.bounded.tolerance, headlight}, tile, result);
-    case Method::fixed:
-        return traceFixed(scene_.volume, steps, tile, result);
-    case Method::midpoint:
-        return traceMidpoint(scene_.volume, steps, tile, result);
-    case Method::bracket:
-        return traceBracket(scene_.volume, steps, tile, result);
-    case Method::preintegrated:
-        return tracePreintegrated(scene_.volume, steps, tile, result);
-    case Method::reference:
-        return traceReference(*scene_.reference, scene_.volume.origin, tile, result);
-    }
+    if (light_)
+        integrateLit(scene_, settings_, *light_, tile, result);
+    else
+        integrateVolume(scene_, settings_, tile, result);
 }
 
-void TileRenderer::trace(const RayTile& tile, TileResult& result, SurfaceHits& hits) const
+bool TileRenderer::hasLayers() const
 {
-    if (scene_.surfaces.empty() || settings_.method == Method::reference) // which composites its surfaces itself
-        return integrate(tile, result);
-    findSurfaces(scene_.volume, scene_.surfaceNodes, scene_.surfaces, settings_.shading == Shading::headlight, tile,
-                 hits, result.counts);
+    // The reference composites surfaces itself, but does not know of planes and light.
+    const bool byMethod = settings_.method == Method::reference && scene_.planes.empty() && !light_;
+    return !byMethod && !(scene_.surfaces.empty() && scene_.planes.empty());
+}
+
+void TileRenderer::trace(const RayTile& tile, Layers& layers, TileResult& result) const
+{
     RayTile part = tile;
     bool more = true;
     for (std::uint32_t pass = 0; more; ++pass) {
         more = false;
         for (int i = 0; i < tile.count; ++i) {
-            if (const SurfaceHit* hit = hitAt(hits, i, pass); hit && part.tNear[i] < part.tFar[i])
-                part.tFar[i] = std::clamp(static_cast<float>(hit->t), part.tNear[i], tile.tFar[i]);
+            if (const Layer* layer = layers.at(i, pass); layer && part.tNear[i] < part.tFar[i])
+                part.tFar[i] = std::clamp(static_cast<float>(layer->t), part.tNear[i], tile.tFar[i]);
         }
         integrate(part, result);
+        if (light_)
+            light(tile, pass, layers, result);
         for (int i = 0; i < tile.count; ++i) {
-            const SurfaceHit* hit = hitAt(hits, i, pass);
+            const Layer* layer = layers.at(i, pass);
             part.tNear[i] = part.tFar[i];
             part.tFar[i] = tile.tFar[i];
-            more = more || hit;
-            if (hit)
-                addSurface(scene_.surfaces[std::size_t(hit->surface)], *hit, i, result);
-            if (!hit || !(result.transmittance[i] > 0.0f))
+            more = more || layer;
+            if (layer)
+                add(*layer, i, result);
+            if (!layer || !(result.transmittance[i] > 0.0f))
                 part.tNear[i] = part.tFar[i];
         }
     }
 }
 
-TileCounts TileRenderer::countsOf(const RayTile& tile, const TileResult& result, const SurfaceHits& hits) const
+void TileRenderer::light(const RayTile& tile, std::uint32_t number, Layers& layers, TileResult& result) const
+{
+    RayTile::PerRay<SurfacePoint> points;
+    RayTile::PerRay<float> shades;
+    for (int i = 0; i < tile.count; ++i) {
+        const Layer* layer = layers.at(i, number);
+        points[i].wanted = layer && layer->isShaded && result.transmittance[i] > 0.0f;
+        if (!points[i].wanted)
+            continue;
+        points[i].position = LightVisibility::pointAt(tile, i, layer->t);
+        points[i].normal = light_->worldNormal(layer->gradient, tile, i);
+    }
+    light_->onSurfaces(points, tile.count, shades, result.counts);
+    for (int i = 0; i < tile.count; ++i)
+        if (points[i].wanted)
+            layers.at(i, number)->shade = shades[i];
+}
+
+TileCounts TileRenderer::countsOf(const RayTile& tile, const TileResult& result, const Layers& layers) const
 {
     TileCounts counts;
     counts.trace = result.counts;
-    counts.surfaceHits = hits.hits.size();
+    counts.surfaceHits = layers.layers.size();
     for (int i = 0; i < tile.count; ++i) {
         counts.largestBound = std::max(counts.largestBound, result.error[i]);
         counts.pixelsBeyond += result.error[i] > settings_.bounded.tolerance;
     }
     return counts;
+}
+
+void TileRenderer::intersect(const TriangleScene* triangles, const TilePixels& pixels,
+                             RayTile::PerRay<TriangleHit>& hits) const
+{
+    if (!triangles)
+        return;
+    std::array<vec3d, RayTile::capacity> origins;
+    origins.fill(rays_.view().eye);
+    const auto count = static_cast<std::size_t>(pixels.count);
+    triangles->intersect(std::span(origins).first(count), std::span(pixels.worldDirection).first(count),
+                         std::span(hits).first(count));
+}
+
+TileRenderer::Ends TileRenderer::endRays(const TilePixels& pixels, RayTile& tile) const
+{
+    Ends ends{};
+    RayTile::PerRay<TriangleHit> elsewhere{};
+    intersect(scene_.triangles, pixels, ends.hits);
+    intersect(scene_.occluders, pixels, elsewhere);
+    for (int i = 0; i < pixels.count; ++i) {
+        double end = rays_.sceneAt(i, pixels);
+        ends.depth[i] = rays_.sceneDepthAt(i, pixels);
+        if (elsewhere[i].hit && elsewhere[i].t < end) {
+            end = elsewhere[i].t;
+            ends.depth[i] = std::min(ends.depth[i], rays_.depthAt(i, end, pixels));
+        }
+        ends.hits[i].hit = ends.hits[i].hit && ends.hits[i].t < end;
+        if (ends.hits[i].hit)
+            end = ends.hits[i].t;
+        if (std::isfinite(end))
+            rays_.endAt(i, end, pixels, tile);
+    }
+    return ends;
+}
+
+RayTile::PerRay<float> TileRenderer::shadesOf(const TilePixels& pixels, const Ends& ends, TileResult& result) const
+{
+    RayTile::PerRay<SurfacePoint> points;
+    RayTile::PerRay<float> shades{};
+    for (int i = 0; i < pixels.count; ++i) {
+        const TriangleHit& hit = ends.hits[i];
+        points[i].wanted = light_ && hit.hit && result.transmittance[i] > 0.0f;
+        const double cosine = glm::dot(vec3d(hit.normal), glm::normalize(pixels.worldDirection[i]));
+        shades[i] = grey * static_cast<float>(0.2 + 0.8 * std::abs(cosine));
+        if (!points[i].wanted)
+            continue;
+        points[i].position = light_->positionOf(rays_.view().eye + double(hit.t) * pixels.worldDirection[i]);
+        points[i].normal = (cosine > 0.0 ? -1.0 : 1.0) * vec3d(hit.normal);
+    }
+    if (!light_)
+        return shades;
+    light_->onSurfaces(points, pixels.count, shades, result.counts);
+    for (int i = 0; i < pixels.count; ++i)
+        shades[i] *= points[i].wanted ? grey : 1.0f;
+    return shades;
 }
 
 TileCounts TileRenderer::render(int x, int y, Frame& frame) const
@@ -117,23 +178,11 @@ TileCounts TileRenderer::render(int x, int y, Frame& frame) const
     RayTile tile;
     TileResult result;
     rays_.fill(x, y, pixels, tile);
-
-    std::array<TriangleHit, RayTile::capacity> hits{};
-    if (scene_.triangles) {
-        std::array<vec3d, RayTile::capacity> origins;
-        origins.fill(rays_.view().eye);
-        const auto count = static_cast<std::size_t>(pixels.count);
-        scene_.triangles->intersect(std::span(origins).first(count), std::span(pixels.worldDirection).first(count),
-                                    std::span(hits).first(count));
-    }
-    for (int i = 0; i < pixels.count; ++i) {
-        const double scene = rays_.sceneAt(i, pixels);
-        hits[i].hit = hits[i].hit && hits[i].t < scene;
-        if (const double end = hits[i].hit ? double(hits[i].t) : scene; std::isfinite(end))
-            rays_.endAt(i, end, pixels, tile);
-    }
-    SurfaceHits surfaceHits;
-    trace(tile, result, surfaceHits);
+    const Ends ends = endRays(pixels, tile);
+    const bool shaded = light_ || settings_.shading == Shading::headlight;
+    Layers layers = hasLayers() ? findLayers(scene_, rays_, shaded, pixels, tile, result.counts) : Layers{};
+    trace(tile, layers, result);
+    const RayTile::PerRay<float> shades = scene_.triangles ? shadesOf(pixels, ends, result) : RayTile::PerRay<float>{};
 
     for (int i = 0; i < pixels.count; ++i) {
         const float through = result.transmittance[i];
@@ -141,19 +190,18 @@ TileCounts TileRenderer::render(int x, int y, Frame& frame) const
         double weight = color.a, distance = result.weightedDistance[i];
         // Where there is next to no opacity, rounding would throw the mean far off.
         double mean = weight > 0.0 ? std::clamp(distance / weight, double(tile.tNear[i]), double(tile.tFar[i])) : 0.0;
-        if (hits[i].hit) {
-            const float shade = surfaceShade(hits[i], pixels.worldDirection[i]);
-            color += vec4f(vec3f(through * shade), through);
-            mean = weight * mean + through * rays_.tileFromWorld(i, hits[i].t, pixels);
+        if (ends.hits[i].hit) {
+            color += vec4f(vec3f(through * shades[i]), through);
+            mean = weight * mean + through * rays_.tileFromWorld(i, ends.hits[i].t, pixels);
             weight = 1.0;
         }
         const std::size_t index = frame.index(pixels.x[i], pixels.y[i]);
         frame.color[index] = color;
         const float depth = rays_.depthAt(i, rays_.worldFromTile(i, mean, pixels), pixels);
         // Not even by rounding may it lie behind the scene that the pixel is drawn over.
-        frame.depth[index] = weight > 0.0 ? std::min(depth, rays_.sceneDepthAt(i, pixels)) : 1.0f;
+        frame.depth[index] = weight > 0.0 ? std::min(depth, ends.depth[i]) : 1.0f;
     }
-    return countsOf(tile, result, surfaceHits);
+    return countsOf(tile, result, layers);
 }
 
 } // namespace brickwall

@@ -2,10 +2,13 @@
 #pragma once
 
 #include "brickwall/core/render/Frame.h"
+#include "brickwall/core/render/Layers.h"
+#include "brickwall/core/render/LightVisibility.h"
 #include "brickwall/core/render/RayTiles.h"
-#include "brickwall/core/render/Renderer.h"
-#include "brickwall/core/trace/ReferenceIntegrator.h"
-#include "brickwall/core/trace/Surfaces.h"
+#include "brickwall/core/render/TileScene.h"
+
+#include <cstdint>
+#include <optional>
 
 namespace brickwall {
 
@@ -19,16 +22,6 @@ struct TileCounts
     TileCounts& operator+=(const TileCounts& other);
 };
 
-/// What tiles are rendered from. Everything is borrowed.
-struct TileScene
-{
-    TraceScene volume; ///< `origin` is set per view
-    std::span<const IsoSurface> surfaces;
-    std::span<const KdNode> surfaceNodes;
-    const TriangleScene* triangles = nullptr;       ///< may be null
-    const ReferenceIntegrator* reference = nullptr; ///< for that method
-};
-
 /// Tiles of one view: rays, triangles, volume, colour and depth. Any number of threads may render different tiles of a
 /// frame.
 class TileRenderer
@@ -40,15 +33,31 @@ public:
     TileCounts render(int x, int y, Frame& frame) const;
 
 private:
-    /// The volume in front of each surface in turn, then that surface; after the last one the rest of the volume.
-    void trace(const RayTile& tile, TileResult& result, SurfaceHits& hits) const;
-    TileCounts countsOf(const RayTile& tile, const TileResult& result, const SurfaceHits& hits) const;
-    /// Integrates the volume along the rays, by the method of the settings.
+    /// Where the rays of a tile end in front of the data's end.
+    struct Ends
+    {
+        RayTile::PerRay<TriangleHit> hits; ///< that are drawn
+        RayTile::PerRay<float> depth;      ///< window depth of what is drawn elsewhere; 1 for nothing
+    };
+
+    Ends endRays(const TilePixels& pixels, RayTile& tile) const;
+    void intersect(const TriangleScene* triangles, const TilePixels& pixels, RayTile::PerRay<TriangleHit>& hits) const;
+    /// Whether surfaces and planes are found here, and not by the method.
+    bool hasLayers() const;
+    /// The volume in front of each layer in turn, then that layer; after the last one the rest of the volume.
+    void trace(const RayTile& tile, Layers& layers, TileResult& result) const;
+    /// Integrates the volume along the rays, in the light of the settings.
     void integrate(const RayTile& tile, TileResult& result) const;
+    /// Gives the layers with this number of all rays their light, instead of that of the eye.
+    void light(const RayTile& tile, std::uint32_t number, Layers& layers, TileResult& result) const;
+    /// Of the triangles that are drawn: linear grey.
+    RayTile::PerRay<float> shadesOf(const TilePixels& pixels, const Ends& ends, TileResult& result) const;
+    TileCounts countsOf(const RayTile& tile, const TileResult& result, const Layers& layers) const;
 
     ViewRays rays_;
     TileScene scene_;
     RenderSettings settings_;
+    std::optional<LightVisibility> light_;
 };
 
 } // namespace brickwall

@@ -53,6 +53,20 @@ void addSceneOptions(CLI::App& command, SceneOptions& options)
             "R,G,B in [0, 1] as displayed, for all surfaces or once per value (default: of the transfer function)");
     addList(command, "--iso-opacity", options.isoOpacity,
             "A, for all surfaces or A[,A...] per value, in (0, 1] (default 1)");
+    addList(command, "--light", options.light,
+            "X,Y,Z: where a light comes from that casts shadows, in the data's coordinates (default: none)");
+    command.add_option("--ambient", options.ambient, "of the light, what comes from everywhere (default 0.2)");
+    command.add_option_function<std::string>(
+        "--light-tolerance",
+        [&options](const std::string& text) { options.lightTolerance = parseNumber(text, "--light-tolerance"); },
+        "how wrong shadows in the volume may make a component (default 1/64)");
+    addList(command, "--plane", options.planes,
+            "X,Y,Z,OFFSET: show the field's values where (X,Y,Z).p = OFFSET (may be repeated)");
+    command.add_option("--plane-opacity", options.planeOpacity, "of these planes, in (0, 1] (default 1)");
+    addList(command, "--clip-plane", options.clipPlanes,
+            "X,Y,Z,OFFSET: show only where (X,Y,Z).p >= OFFSET (may be repeated)");
+    addList(command, "--clip-box", options.clipBox, "X0,Y0,Z0,X1,Y1,Z1: show only what is inside");
+    addList(command, "--clip-sphere", options.clipSphere, "X,Y,Z,RADIUS: show only what is inside");
     command.add_option("--volume", options.volume, "on (default), or off to show nothing but surfaces");
     addThreadsOption(command, options.threads);
 }

@@ -94,6 +94,39 @@ void checkSurfaces(const SceneOptions& options, const Limits& limits)
                    "numbers above 0 and at most 1", listOf(options.isoOpacity));
 }
 
+void checkLight(const SceneOptions& options, const Limits& limits)
+{
+    const std::vector<double>& l = options.light;
+    limits.require(l.empty() || (l.size() == 3 && std::all_of(l.begin(), l.end(), isFinite) &&
+                                 (l[0] != 0.0 || l[1] != 0.0 || l[2] != 0.0)),
+                   "light", "X,Y,Z, finite and not all 0", listOf(l));
+    limits.require(isFraction(options.ambient), "ambient", "a number from 0 to 1", options.ambient);
+    limits.require(isPositiveFraction(options.lightTolerance), "light_tolerance", "a number above 0 and at most 1",
+                   options.lightTolerance);
+}
+
+void checkPlanes(const std::vector<double>& planes, std::string_view key, const Limits& limits)
+{
+    bool fine = planes.size() % 4 == 0 && std::all_of(planes.begin(), planes.end(), isFinite);
+    for (std::size_t i = 0; fine && i < planes.size(); i += 4)
+        fine = planes[i] != 0.0 || planes[i + 1] != 0.0 || planes[i + 2] != 0.0;
+    limits.require(fine, key, "X,Y,Z,OFFSET, finite, with a normal X,Y,Z that is not 0", listOf(planes));
+}
+
+void checkPlaces(const SceneOptions& options, const Limits& limits)
+{
+    checkPlanes(options.planes, "plane", limits);
+    limits.require(isPositiveFraction(options.planeOpacity), "plane_opacity", "a number above 0 and at most 1",
+                   options.planeOpacity);
+    checkPlanes(options.clipPlanes, "clip_plane", limits);
+    const std::vector<double>&b = options.clipBox, &s = options.clipSphere;
+    limits.require(b.empty() || (b.size() == 6 && std::all_of(b.begin(), b.end(), isFinite) && b[0] < b[3] &&
+                                 b[1] < b[4] && b[2] < b[5]),
+                   "clip_box", "X0,Y0,Z0,X1,Y1,Z1, finite, the first corner below the second", listOf(b));
+    limits.require(s.empty() || (s.size() == 4 && std::all_of(s.begin(), s.end(), isFinite) && s[3] > 0.0),
+                   "clip_sphere", "X,Y,Z,RADIUS, finite, with a radius above 0", listOf(s));
+}
+
 void checkMethod(const SceneOptions& options, const PlaceOfOption& placeOf, const Limits& limits)
 {
     const Method method = methodOf(options.method, placeOf("method"));
@@ -112,6 +145,14 @@ void checkMethod(const SceneOptions& options, const PlaceOfOption& placeOf, cons
                                                    "bracket and preintegrated (say which with {})",
                                                    options.method, placeOf("method")));
     }
+}
+
+std::vector<Plane> planesOf(const std::vector<double>& numbers)
+{
+    std::vector<Plane> planes;
+    for (std::size_t i = 0; i < numbers.size(); i += 4)
+        planes.push_back({vec3d(numbers[i], numbers[i + 1], numbers[i + 2]), numbers[i + 3]});
+    return planes;
 }
 
 vec3f linearColor(const double* srgb)
@@ -142,6 +183,8 @@ void checkSceneOptions(const SceneOptions& options, const PlaceOfOption& placeOf
     limits.oneOf("shading", options.shading, {"headlight", "off"});
     limits.oneOf("volume", options.volume, {"on", "off"});
     checkSurfaces(options, limits);
+    checkLight(options, limits);
+    checkPlaces(options, limits);
     limits.require(options.background.empty() || (options.background.size() == 3 && areFractions(options.background)),
                    "background", "R,G,B, each from 0 to 1", listOf(options.background));
     checkMethod(options, placeOf, limits);
@@ -204,6 +247,9 @@ RenderSettings renderSettings(const SceneOptions& options)
     if (options.dt)
         settings.step.dt = static_cast<float>(*options.dt);
     settings.shading = options.shading == "off" ? Shading::off : Shading::headlight;
+    if (!options.light.empty())
+        settings.light = Light{vec3d(options.light[0], options.light[1], options.light[2]),
+                               static_cast<float>(options.ambient), static_cast<float>(options.lightTolerance)};
     return settings;
 }
 
@@ -220,6 +266,25 @@ std::unique_ptr<DataSet> openData(const SceneOptions& options)
 vec3f backgroundColor(const SceneOptions& options, const vec3f& otherwise)
 {
     return options.background.empty() ? otherwise : linearColor(options.background.data());
+}
+
+std::vector<ContourPlane> contourPlanes(const SceneOptions& options)
+{
+    std::vector<ContourPlane> contours;
+    for (const Plane& plane : planesOf(options.planes))
+        contours.push_back({plane, static_cast<float>(options.planeOpacity)});
+    return contours;
+}
+
+ClipRegion clipRegion(const SceneOptions& options)
+{
+    ClipRegion region;
+    region.planes = planesOf(options.clipPlanes);
+    if (const std::vector<double>& b = options.clipBox; !b.empty())
+        region.box = Box3d{vec3d(b[0], b[1], b[2]), vec3d(b[3], b[4], b[5])};
+    if (const std::vector<double>& s = options.clipSphere; !s.empty())
+        region.sphere = Sphere{vec3d(s[0], s[1], s[2]), s[3]};
+    return region;
 }
 
 std::vector<IsoSurface> isoSurfaces(const SceneOptions& options, const TransferFunction& transferFunction)

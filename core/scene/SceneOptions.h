@@ -29,6 +29,14 @@ struct SceneOptions
     std::vector<double> iso;
     std::vector<double> isoColors;  ///< r, g, b in sRGB: none, one for all, or one per value
     std::vector<double> isoOpacity; ///< none, one for all, or one per value
+    std::vector<double> light;      ///< none, or x, y, z: the direction that it comes from, in world space
+    double ambient = 0.2;           ///< of the light, what comes from everywhere
+    double lightTolerance = 1.0 / 64.0;
+    std::vector<double> planes; ///< contour planes, x, y, z, offset for each
+    double planeOpacity = 1.0;
+    std::vector<double> clipPlanes; ///< x, y, z, offset for each; kept is where x px + y py + z pz >= offset
+    std::vector<double> clipBox;    ///< none, or the lower corner and the upper one
+    std::vector<double> clipSphere; ///< none, or x, y, z of its centre, and the radius
     std::vector<double> background; ///< empty (black, or the rig's), or r, g, b in sRGB
     std::string method = "bounded";
     std::optional<double> tolerance; ///< of bounded
@@ -63,6 +71,9 @@ NonFinite nonFiniteOf(const SceneOptions& options);
 std::unique_ptr<DataSet> openData(const SceneOptions& options);
 /// The background as linear RGB; `otherwise` if the user did not say.
 vec3f backgroundColor(const SceneOptions& options, const vec3f& otherwise = vec3f(0.0f));
+/// Contour planes and what is cut away, of options that are within their limits.
+std::vector<ContourPlane> contourPlanes(const SceneOptions& options);
+ClipRegion clipRegion(const SceneOptions& options);
 /// Colours that the user did not give are those of the transfer function.
 std::vector<IsoSurface> isoSurfaces(const SceneOptions& options, const TransferFunction& transferFunction);
 

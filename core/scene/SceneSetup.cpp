@@ -44,8 +44,9 @@ void noteWhatIsNotSeen(const Scene& scene, const Field& field, Progress& progres
         if (!(surface.value >= field.range.lo && surface.value <= field.range.hi))
             progress.note(fmt::format("--iso {}: no surface, the values of {} are from {} to {}", surface.value,
                                       field.name, field.range.lo, field.range.hi));
-    if (scene.transferFunction.opacityScale == 0.0f && scene.surfaces.empty() && !scene.triangles)
-        progress.note("nothing can be seen: the volume is off and there is no surface (--iso)");
+    if (scene.transferFunction.opacityScale == 0.0f && scene.surfaces.empty() && scene.planes.empty() &&
+        !scene.triangles)
+        progress.note("nothing can be seen: the volume is off and there is no surface (--iso) or plane (--plane)");
 }
 
 } // namespace
@@ -77,6 +78,8 @@ PreparedScene prepareScene(const SceneOptions& options, const Executor& executor
         prepared.scene.triangles = std::make_shared<TriangleScene>(model.meshes);
     prepared.scene.worldFromVoxel = model.worldFromVoxel;
     prepared.scene.surfaces = isoSurfaces(options, prepared.scene.transferFunction);
+    prepared.scene.planes = contourPlanes(options);
+    prepared.scene.clip = clipRegion(options);
     noteWhatIsNotSeen(prepared.scene, field, progress);
     prepared.name = model.name;
     prepared.field = field.name;

@@ -119,6 +119,14 @@ std::string sceneText(const SceneOptions& options)
     line.add("iso", options.iso, start.iso);
     line.add("iso-color", options.isoColors, start.isoColors);
     line.add("iso-opacity", options.isoOpacity, start.isoOpacity);
+    line.add("light", options.light, start.light);
+    line.add("ambient", options.ambient, start.ambient);
+    line.add("light-tolerance", options.lightTolerance, start.lightTolerance);
+    line.add("plane", options.planes, start.planes);
+    line.add("plane-opacity", options.planeOpacity, start.planeOpacity);
+    line.add("clip-plane", options.clipPlanes, start.clipPlanes);
+    line.add("clip-box", options.clipBox, start.clipBox);
+    line.add("clip-sphere", options.clipSphere, start.clipSphere);
     line.add("background", options.background, start.background);
     line.add("method", options.method, start.method);
     line.add("tolerance", options.tolerance, start.tolerance);

@@ -45,6 +45,14 @@ namespace brickwall {
 
 HWY_EXPORT(pointKernel);
 
+PointSample sampleVoxel(const RegionTree& regions, const PaddedField& field, const vec3d& voxel)
+{
+    const std::int64_t region = findRegion(regions, 2.0 * voxel);
+    if (region < 0)
+        return {};
+    return HWY_DYNAMIC_DISPATCH(pointKernel)(regions, field, static_cast<std::uint32_t>(region), voxel);
+}
+
 void samplePoints(const RegionTree& regions, const PaddedField& field, const mat4d& worldFromVoxel,
                   std::span<const vec3d> points, std::span<PointSample> samples, const Executor& executor)
 {
@@ -53,12 +61,7 @@ void samplePoints(const RegionTree& regions, const PaddedField& field, const mat
     const glm::dmat3 worldFromGradient = glm::transpose(glm::dmat3(voxelFromWorld));
     executor.forEach(points.size(), 64, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const vec3d voxel = transformPoint(voxelFromWorld, points[i]);
-            const std::int64_t region = findRegion(regions, 2.0 * voxel);
-            samples[i] = {};
-            if (region < 0)
-                continue;
-            samples[i] = HWY_DYNAMIC_DISPATCH(pointKernel)(regions, field, static_cast<std::uint32_t>(region), voxel);
+            samples[i] = sampleVoxel(regions, field, transformPoint(voxelFromWorld, points[i]));
             samples[i].gradient = vec3f(worldFromGradient * vec3d(samples[i].gradient));
         }
     });

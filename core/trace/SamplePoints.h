@@ -12,9 +12,13 @@ namespace brickwall {
 struct PointSample
 {
     float value = 0.0f;
-    vec3f gradient{0.0f}; ///< per world unit
+    vec3f gradient{0.0f}; ///< per world unit, if nothing else is said
     bool valid = false;
 };
+
+/// B and its gradient (here per voxel) at one point in voxel space, of regions whose bricks have passed
+/// checkBrickSizes.
+PointSample sampleVoxel(const RegionTree& regions, const PaddedField& field, const vec3d& voxel);
 
 /// B and its gradient at points in world space, by the same code that integrates rays. `samples` is as long as
 /// `points`.

@@ -90,11 +90,11 @@ bool SurfaceRay::accept(const ExactPieces& piece, const Region& region)
     std::stable_sort(roots_.begin(), roots_.end(), [](const Root& a, const Root& b) { return a.x < b.x; });
     for (const Root& root : roots_) {
         const IsoSurface& surface = surfaces_[root.surface];
-        SurfaceHit hit{std::min(piece.start + root.x * (piece.end - piece.start), piece.end), root.surface, 1.0f};
+        SurfaceHit hit{std::min(piece.start + root.x * (piece.end - piece.start), piece.end), root.surface};
         if (headlight_) {
             const vec3d position = glm::mix(piece.startPosition, piece.endPosition, root.x);
-            hit.shade = shade(
-                gradientAt(*scene_.regions, region, scene_.field->values.data(), piece, ray_, position, surface.value));
+            light(hit, gradientAt(*scene_.regions, region, scene_.field->values.data(), piece, ray_, position,
+                                  surface.value));
         }
         hits.push_back(hit);
         transmittance_ *= 1.0 - surface.opacity;
@@ -118,7 +118,7 @@ bool SurfaceRay::hasHole(std::uint32_t index, double t0, double t1) const
 }
 
 /// As Headlight in Radiance.h.
-float SurfaceRay::shade(const vec3d& gradient) const
+void SurfaceRay::light(SurfaceHit& hit, const vec3d& gradient) const
 {
     const float span = scene_.field->range.span();
     const vec3d g = gradient * (2.0 / (span > 0.0f ? span : 1.0f));
@@ -126,9 +126,10 @@ float SurfaceRay::shade(const vec3d& gradient) const
     const double squared = g.x * g.x * m[0] + g.y * g.y * m[1] + g.z * g.z * m[2] +
                            2.0 * (g.x * g.y * m[3] + g.x * g.z * m[4] + g.y * g.z * m[5]);
     if (!(squared > noGradientSquared))
-        return 1.0f;
+        return;
     const double along = 0.5 * glm::dot(g, ray_.dir);
-    return static_cast<float>(std::min(std::abs(along) / (worldStretch_ * std::sqrt(squared)), 1.0));
+    hit.shade = static_cast<float>(std::min(std::abs(along) / (worldStretch_ * std::sqrt(squared)), 1.0));
+    hit.gradient = vec3f(0.5 * g);
 }
 
 } // namespace brickwall

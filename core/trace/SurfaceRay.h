@@ -32,7 +32,7 @@ private:
                 const SurfaceSide& before) const;
     bool accept(const ExactPieces& piece, const Region& region);
     bool hasHole(std::uint32_t node, double t0, double t1) const;
-    float shade(const vec3d& gradient) const;
+    void light(SurfaceHit& hit, const vec3d& gradient) const;
 
     struct Root
     {

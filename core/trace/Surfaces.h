@@ -17,6 +17,7 @@ struct SurfaceHit
     double t = 0.0;           ///< along the tile's ray
     std::int32_t surface = 0; ///< index into the span of surfaces
     float shade = 1.0f;       ///< |cos| of gradient and ray as of Headlight in Radiance.h; 1 without light or gradient
+    vec3f gradient{0.0f}; ///< of B, in the field's span per voxel; 0 without light, or too small to have a direction
 };
 
 /// The hits of a tile's rays. Reused from tile to tile it stops allocating.

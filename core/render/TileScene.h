@@ -1,0 +1,31 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "brickwall/core/render/Renderer.h"
+#include "brickwall/core/shade/TransferFunction.h"
+#include "brickwall/core/trace/ReferenceIntegrator.h"
+#include "brickwall/core/trace/Surfaces.h"
+
+#include <span>
+
+namespace brickwall {
+
+/// What tiles are rendered from. Everything is borrowed.
+struct TileScene
+{
+    TraceScene volume; ///< `origin` is set per view
+    std::span<const IsoSurface> surfaces;
+    std::span<const KdNode> surfaceNodes;
+    std::span<const ContourPlane> planes;
+    const TransferFunction* transferFunction = nullptr; ///< of the planes
+    const ClipRegion* clip = nullptr;
+    mat4d worldFromVoxel{1.0};
+    const TriangleScene* triangles = nullptr;       ///< may be null
+    const TriangleScene* occluders = nullptr;       ///< may be null
+    const ReferenceIntegrator* reference = nullptr; ///< for that method
+};
+
+/// Integrates the volume alone along the rays of a tile, by the method of the settings; their light is not asked.
+void integrateVolume(const TileScene& scene, const RenderSettings& settings, const RayTile& tile, TileResult& result);
+
+} // namespace brickwall

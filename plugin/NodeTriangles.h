@@ -1,0 +1,19 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "brickwall/core/model/Model.h"
+
+#include <osg/Node>
+
+#include <vector>
+
+namespace brickwall {
+
+/// The triangles of everything under a node that is drawn (masks, switches and levels of detail as they are now), in
+/// the coordinates around it, a mesh per drawable. Triangles without an area are left out; lines and points have none.
+std::vector<TriangleMesh> trianglesOf(osg::Node& scene);
+
+/// Moved by `m`.
+TriangleMesh transformed(const TriangleMesh& mesh, const mat4d& m);
+
+} // namespace brickwall
