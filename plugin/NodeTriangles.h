@@ -10,7 +10,8 @@
 namespace brickwall {
 
 /// The triangles of everything under a node that is drawn (masks, switches and levels of detail as they are now), in
-/// the coordinates around it, a mesh per drawable. Triangles without an area are left out; lines and points have none.
+/// the coordinates around it, a mesh per drawable. Triangles without an area, or with a
+/// vertex that is no number, are left out; lines and points have none.
 std::vector<TriangleMesh> trianglesOf(osg::Node& scene);
 
 /// Moved by `m`.

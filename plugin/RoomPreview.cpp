@@ -114,6 +114,7 @@ void RoomPreview::openWindow()
     const auto connections = connectDisplays(desktop);
     const WindowSize size{windowWidth, windowHeight};
     osg::ref_ptr<osgViewer::GraphicsWindow> window = brickwall::openWindow(desktop, 0, size, 1.0);
+    window->setResizedCallback(nullptr); // OSG's own way: the camera follows
     osg::Camera& camera = *viewer_->getCamera();
     camera.setGraphicsContext(window);
     camera.setViewport(0, 0, size.width, size.height);

@@ -76,7 +76,7 @@ public:
     /// in cameras whose depth is not read, and it casts shadows if there is a light. `scene` is in the node's own
     /// coordinates, as its sibling is; its triangles are copied in this call, so call again when it has moved. It need
     /// not be in the graph, and is not drawn by this. Null for none, as at the start. Not kept in files, nor by copies.
-    /// Throws Error for vertices that are not finite.
+    /// Triangles with vertices that are no numbers are left out; throws Error for infinite ones.
     void setOccluders(osg::Node* scene);
 
     /// From the model's world space to the node's coordinates; identity at the start.

@@ -127,6 +127,13 @@ TEST(AccuracyOptions, OutsideTheirLimitsAreRefusedInOneLine)
     refused("--iso 0.5 --iso-opacity 0", "--iso-opacity: expected numbers above 0");
     refused("--iso 0.5,0.6,0.7 --iso-opacity 0.5,1", "--iso-opacity: expected 1 number");
     refused("--volume maybe", "--volume: expected on, off");
+    refused("--light 0,0,0", "--light: expected X,Y,Z, finite");
+    refused("--ambient 0.5", "--ambient: expected --light with it");
+    refused("--light 0,1,0 --ambient 2", "--ambient: expected a number from 0 to 1");
+    refused("--plane-opacity 0.5", "--plane-opacity: expected --plane with it");
+    refused("--plane 1,0,0", "--plane: expected X,Y,Z,OFFSET");
+    refused("--clip-box 0,0,0,1,0,1", "--clip-box: expected X0,Y0,Z0,X1,Y1,Z1");
+    refused("--clip-sphere 0,0,0,0", "--clip-sphere: expected X,Y,Z,RADIUS");
     refused("--opacity-scale -1", "--opacity-scale: expected");
     refused("--background 1,0", "--background: expected");
     refused("--range 1", "--range: expected");
@@ -152,7 +159,13 @@ TEST(AccuracyOptions, OfAViewFileHaveTheSameLimits)
     for (const json& options : {json{{"tolerance", "1/100"}}, json{{"tolerance", 0.01}}, json{{"iso", 0.5}},
                                 json{{"method", "midpoint"}, {"dt", 2}},
                                 json{{"iso", {0.5, 0.7}}, {"iso_color", {{1, 0, 0}, {0, 1, 0}}}, {"iso_opacity", 0.5}},
-                                json{{"iso", {0.5}}, {"volume", "off"}}})
+                                json{{"iso", {0.5}}, {"volume", "off"}},
+                                json{{"light", {1, 2, 3}}, {"ambient", 0.5}, {"light_tolerance", "1/16"}},
+                                json{{"plane", {{1, 0, 0, 0.5}, {0, 1, 0, 0}}},
+                                     {"plane_opacity", 0.5},
+                                     {"clip_plane", {0, 0, 1, -1}},
+                                     {"clip_box", {-9, -9, -9, 9, 9, 9}},
+                                     {"clip_sphere", {0, 0, 0, 9}}}})
         EXPECT_EQ(verified(options).exitCode, 0) << options << verified(options).err;
     refused({{"tolerance", 2}}, "tolerance\": expected");
     refused({{"tolerance", "one"}}, "tolerance\": expected");
@@ -163,4 +176,6 @@ TEST(AccuracyOptions, OfAViewFileHaveTheSameLimits)
     refused({{"iso", {0.5, 0.7}}, {"iso_color", {1, 0}}}, "iso_color\": expected");
     refused({{"iso_opacity", 0.5}}, "iso_opacity\": expected");
     refused({{"volume", "maybe"}}, "volume\": expected");
+    refused({{"light", {0, 0, 0}}}, "light\": expected");
+    refused({{"clip_box", {0, 0, 0, 1}}}, "clip_box\": expected");
 }

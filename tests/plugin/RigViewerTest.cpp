@@ -29,14 +29,6 @@ struct Notes : Progress
     void note(std::string_view line) override { lines.emplace_back(line); }
 };
 
-std::vector<Frame> patterns(std::span<const View> views, Progress&)
-{
-    std::vector<Frame> frames;
-    for (const View& view : views)
-        frames.push_back(patternFrame(view, int(frames.size())));
-    return frames;
-}
-
 /// As `render` would have written it, but for the rounding of blending in 8 bits.
 void expectSame(const Image& found, const Image& expected)
 {
@@ -60,7 +52,7 @@ TEST(RigViewer, WritesAPictureOfEveryWindow)
         options.windowScale = 0.5;
         options.drawThreads = drawThreads;
         Progress silent;
-        runRigViewer(rig, unitBox, patterns, options, silent);
+        runRigViewer(rig, unitBox, patternFrames, options, silent);
         for (int i = 0; i < 2; ++i) {
             const Image picture = readPng(folder + (i == 0 ? "/main.png" : "/side.png"));
             View view;
@@ -83,12 +75,12 @@ TEST(RigViewer, LeavesOutChannelsWithoutAWindow)
     options.frames = 1;
     options.screenshotFolder = folder;
     Progress silent;
-    runRigViewer(rig, unitBox, patterns, options, silent);
+    runRigViewer(rig, unitBox, patternFrames, options, silent);
     EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1);
     fs::remove_all(folder);
 
     rig.channels.resize(1);
-    EXPECT_THROW(runRigViewer(rig, unitBox, patterns, options, silent), Error);
+    EXPECT_THROW(runRigViewer(rig, unitBox, patternFrames, options, silent), Error);
 }
 
 TEST(RigViewer, ShowsASceneAsTheRendererMakesIt)
@@ -129,7 +121,7 @@ TEST(RigViewer, NotesARefusedViewOnceAndShowsTheOthers)
     std::size_t viewsRendered = 0;
     const FrameMaker make = [&](std::span<const View> views, Progress& progress) {
         viewsRendered += views.size();
-        return patterns(views, progress);
+        return patternFrames(views, progress);
     };
     runRigViewer(rig, unitBox, make, options, notes);
     ASSERT_EQ(notes.lines.size(), 1u);
@@ -168,7 +160,7 @@ TEST(RigViewer, TakesNextToNoTimeWhileNothingChanges)
         seconds = used() - before;
         progress.cancel();
     });
-    EXPECT_THROW(runRigViewer(cornerRig(64, 64), unitBox, patterns, {}, progress), Cancelled);
+    EXPECT_THROW(runRigViewer(cornerRig(64, 64), unitBox, patternFrames, {}, progress), Cancelled);
     watcher.join();
     EXPECT_LT(seconds, 0.02 * 5.0);
     RecordProperty("percent", std::to_string(100.0 * seconds / 5.0));
@@ -190,7 +182,7 @@ TEST(RigViewer, SaysInOneLineThatThereIsNoDisplay)
     const std::string saved = current ? current : "";
     unsetenv("DISPLAY");
     Progress silent;
-    const auto run = [&] { runRigViewer(deskRig(32, 32), unitBox, patterns, {}, silent); };
+    const auto run = [&] { runRigViewer(deskRig(32, 32), unitBox, patternFrames, {}, silent); };
     const std::string unset = errorOf(run);
     setenv("DISPLAY", ":9876", 1);
     const std::string absent = errorOf(run);
@@ -205,10 +197,10 @@ TEST(RigViewer, RefusesOptionsThatMakeNoSense)
     Progress silent;
     ViewerOptions pictures;
     pictures.screenshotFolder = "somewhere";
-    EXPECT_THROW(runRigViewer(deskRig(8, 8), unitBox, patterns, pictures, silent), Error);
+    EXPECT_THROW(runRigViewer(deskRig(8, 8), unitBox, patternFrames, pictures, silent), Error);
     ViewerOptions scale;
     scale.windowScale = 0.0;
-    EXPECT_THROW(runRigViewer(deskRig(8, 8), unitBox, patterns, scale, silent), Error);
+    EXPECT_THROW(runRigViewer(deskRig(8, 8), unitBox, patternFrames, scale, silent), Error);
     EXPECT_THROW(worldBounds(Scene{}), Error);
 }
 

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <osgViewer/GraphicsWindow>
+
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -16,14 +18,6 @@ namespace {
 
 using namespace std::chrono_literals;
 const Box3d unitBox{vec3d(-1.0), vec3d(1.0)};
-
-std::vector<Frame> patterns(std::span<const View> views, Progress&)
-{
-    std::vector<Frame> frames;
-    for (const View& view : views)
-        frames.push_back(patternFrame(view, int(frames.size())));
-    return frames;
-}
 
 /// Where the middle of what is yellow is, as heads are, in pixels; (-1, -1): nowhere.
 vec3d headIn(const osg::Image& picture)
@@ -66,7 +60,7 @@ TEST(RoomPreview, ShowsTheHeadMoveWhileTheRendererIsBusy)
             progress.check();
             std::this_thread::sleep_for(1ms);
         }
-        return patterns(views, progress);
+        return patternFrames(views, progress);
     };
     Progress progress;
     const Rig rig = cornerRig(64, 48);
@@ -94,7 +88,7 @@ TEST(RoomPreview, ShowsChannelsWithoutAWindowAndRendersSmallPictures)
     const FrameMaker make = [&](std::span<const View> views, Progress& progress) {
         for (const View& view : views)
             sizes.push_back(view.window);
-        return patterns(views, progress);
+        return patternFrames(views, progress);
     };
     Progress progress;
     RoomPreview preview(rig, unitBox, make, progress);
@@ -107,6 +101,29 @@ TEST(RoomPreview, ShowsChannelsWithoutAWindowAndRendersSmallPictures)
         std::this_thread::sleep_for(1ms);
     }
     EXPECT_EQ(sizes.size(), 2u);
+}
+
+TEST(RoomPreview, FillsItsWindowWhenThatIsResized)
+{
+    BRICKWALL_NEEDS_DISPLAY();
+    Progress progress;
+    const FrameMaker make = patternFrames;
+    RoomPreview preview(cornerRig(64, 48), unitBox, make, progress);
+    preview.drawCompleted();
+    const vec3d before = headIn(*preview.picture().left);
+    // Its window, as a window manager would do it; those of other tests are closed.
+    for (osg::GraphicsContext* context : osg::GraphicsContext::getAllRegisteredGraphicsContexts())
+        if (auto* window = dynamic_cast<osgViewer::GraphicsWindow*>(context))
+            window->setWindowRectangle(0, 0, 500, 384);
+    osg::ref_ptr<osg::Image> picture;
+    for (int i = 0; i < 100 && (!picture || picture->s() != 500); ++i)
+        picture = preview.picture().left;
+    ASSERT_EQ(picture->s(), 500);
+    ASSERT_EQ(picture->t(), 384);
+    // Half as high, half as large, and in the middle still.
+    const vec3d after = headIn(*picture);
+    EXPECT_NEAR(after.x - 250.0, 0.5 * (before.x - 512.0), 4.0);
+    EXPECT_NEAR(after.y, 0.5 * before.y, 4.0);
 }
 
 TEST(RoomPreview, HandsOnWhatRenderingThrowsAndEndsWhenItIsCancelled)

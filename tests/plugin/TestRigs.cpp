@@ -50,6 +50,14 @@ Rig cornerRig(int width, int height)
     return rig;
 }
 
+std::vector<Frame> patternFrames(std::span<const View> views, Progress&)
+{
+    std::vector<Frame> frames;
+    for (const View& view : views)
+        frames.push_back(patternFrame(view, int(frames.size())));
+    return frames;
+}
+
 Frame patternFrame(const View& view, int seed, float depth)
 {
     Frame frame;

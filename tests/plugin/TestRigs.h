@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brickwall/channels/Rig.h"
+#include "brickwall/core/base/Progress.h"
 #include "brickwall/core/render/Frame.h"
 #include "brickwall/plugin/RigWindows.h"
 
@@ -9,6 +10,7 @@
 
 #include <array>
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace brickwall::test {
@@ -23,6 +25,8 @@ Rig cornerRig(int width, int height);
 /// right, semi-transparent in between, a bright mark near the lower left corner; depth 1 where it is empty, else
 /// `depth`.
 Frame patternFrame(const View& view, int seed, float depth = 0.5f);
+/// One for each view, with its number as the seed: a FrameMaker.
+std::vector<Frame> patternFrames(std::span<const View> views, Progress& progress);
 
 /// Windows, and the frame of every view handed to the drawer. Data space is the room.
 struct ShownRig

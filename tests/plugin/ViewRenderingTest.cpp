@@ -22,14 +22,6 @@ struct TwoChannels : ChannelSource
     bool isDrawnBy(int, osgUtil::CullVisitor&) const override { return false; }
 };
 
-std::vector<Frame> patterns(std::span<const View> views, Progress&)
-{
-    std::vector<Frame> frames;
-    for (const View& view : views)
-        frames.push_back(patternFrame(view, 0));
-    return frames;
-}
-
 /// Both views, for a pose of this number.
 std::vector<RequestedView> poseOf(double number)
 {
@@ -76,7 +68,7 @@ struct Gate
                 progress.check();
                 std::this_thread::sleep_for(1ms);
             }
-            return patterns(views, progress);
+            return patternFrames(views, progress);
         };
     }
     void waitForStart(int count) const
@@ -91,7 +83,7 @@ TEST(ViewRendering, PublishesAllViewsOfOnePoseTogetherWithTheirMatrices)
     Loop loop;
     EXPECT_TRUE(loop.rendering.idle());
     EXPECT_FALSE(loop.rendering.publish());
-    const unsigned number = loop.rendering.request(poseOf(7), patterns);
+    const unsigned number = loop.rendering.request(poseOf(7), patternFrames);
     EXPECT_EQ(loop.next(), number);
     for (int i = 0; i < 2; ++i)
         EXPECT_EQ(loop.drawer->imageMatrix(i), osg::Matrixd::translate(7, i, 0));
@@ -156,7 +148,7 @@ TEST(ViewRendering, ForgetsWhatItRendersWhenTheViewsAreRestructured)
     EXPECT_EQ(gate.cancelled, 1);
     std::vector<RequestedView> one = poseOf(2);
     one.pop_back();
-    const unsigned number = loop.rendering.request(one, patterns);
+    const unsigned number = loop.rendering.request(one, patternFrames);
     EXPECT_EQ(loop.next(), number);
 }
 
@@ -167,7 +159,7 @@ TEST(ViewRendering, HandsOnWhatRenderingThrowsOnceAndGoesOn)
     EXPECT_EQ(errorOf([&] { loop.next(); }), "here: broken");
     loop.rendering.request(poseOf(1), [](auto, Progress&) { return std::vector<Frame>(1); });
     EXPECT_EQ(errorOf([&] { loop.next(); }), "viewer: expected a frame for each of 2 views, got 1");
-    const unsigned number = loop.rendering.request(poseOf(3), patterns);
+    const unsigned number = loop.rendering.request(poseOf(3), patternFrames);
     EXPECT_EQ(loop.next(), number);
 }
 

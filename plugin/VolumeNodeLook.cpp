@@ -1,0 +1,134 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+/// The properties of VolumeNode.
+#include "brickwall/plugin/NodeTriangles.h"
+#include "brickwall/plugin/OsgConversions.h"
+#include "brickwall/plugin/VolumeNode.h"
+
+#include <glm/matrix.hpp>
+
+#include <utility>
+
+namespace brickwall {
+namespace {
+
+std::vector<double> numbersOf(const std::vector<Plane>& planes)
+{
+    std::vector<double> numbers;
+    for (const Plane& plane : planes)
+        numbers.insert(numbers.end(), {plane.normal.x, plane.normal.y, plane.normal.z, plane.offset});
+    return numbers;
+}
+
+} // namespace
+
+void VolumeNode::setOptions(const SceneOptions& options)
+{
+    checkSceneOptions(options, commandLinePlace);
+    if (options == options_)
+        return;
+    if (needsReading(options_, options))
+        ++dataStamp_;
+    ++lookStamp_;
+    options_ = options;
+}
+
+void VolumeNode::setField(const std::string& name)
+{
+    SceneOptions options = options_;
+    options.field = name;
+    setOptions(options);
+}
+
+void VolumeNode::setIsoValues(const std::vector<double>& values)
+{
+    SceneOptions options = options_;
+    options.iso = values;
+    setOptions(options);
+}
+
+void VolumeNode::setTolerance(double tolerance)
+{
+    SceneOptions options = options_;
+    options.tolerance = tolerance;
+    setOptions(options);
+}
+
+void VolumeNode::setShading(Shading shading)
+{
+    SceneOptions options = options_;
+    options.shading = shading == Shading::off ? "off" : "headlight";
+    setOptions(options);
+}
+
+void VolumeNode::setTransferFunction(std::optional<TransferFunction> tf)
+{
+    if (tf)
+        checkTransferFunction(*tf, "transfer function");
+    transferFunction_ = std::move(tf);
+    ++lookStamp_;
+}
+
+void VolumeNode::setPlanes(const std::vector<Plane>& planes, double opacity)
+{
+    SceneOptions options = options_;
+    options.planes = numbersOf(planes);
+    options.planeOpacity = opacity;
+    setOptions(options);
+}
+
+void VolumeNode::setClip(const ClipRegion& region)
+{
+    SceneOptions options = options_;
+    options.clipPlanes = numbersOf(region.planes);
+    options.clipBox.clear();
+    if (const auto& box = region.box)
+        options.clipBox = {box->lower.x, box->lower.y, box->lower.z, box->upper.x, box->upper.y, box->upper.z};
+    options.clipSphere.clear();
+    if (const auto& sphere = region.sphere)
+        options.clipSphere = {sphere->center.x, sphere->center.y, sphere->center.z, sphere->radius};
+    setOptions(options);
+}
+
+void VolumeNode::setLight(const std::optional<Light>& light)
+{
+    SceneOptions options = options_;
+    options.light.clear();
+    if (light) {
+        options.light = {light->towards.x, light->towards.y, light->towards.z};
+        options.ambient = light->ambient;
+        options.lightTolerance = light->tolerance;
+    }
+    setOptions(options);
+}
+
+void VolumeNode::setOccluders(osg::Node* scene)
+{
+    std::vector<TriangleMesh> meshes = scene ? trianglesOf(*scene) : std::vector<TriangleMesh>();
+    std::swap(occluderMeshes_, meshes);
+    try {
+        placeOccluders();
+    } catch (...) {
+        std::swap(occluderMeshes_, meshes);
+        throw;
+    }
+}
+
+void VolumeNode::placeOccluders()
+{
+    const mat4d modelFromNode = glm::inverse(toGlm(transform()));
+    std::vector<TriangleMesh> meshes;
+    for (const TriangleMesh& mesh : occluderMeshes_)
+        meshes.push_back(transformed(mesh, modelFromNode));
+    occluders_ = std::make_shared<TriangleScene>(meshes);
+    ++lookStamp_;
+}
+
+void VolumeNode::setTransform(const osg::Matrixd& nodeFromModel)
+{
+    place_->setMatrix(nodeFromModel);
+    if (!occluderMeshes_.empty())
+        placeOccluders();
+    dirtyBound();
+}
+
+} // namespace brickwall
