@@ -13,3 +13,6 @@ foreach(step
 endforeach()
 execute_process(COMMAND ${work}/build/consumer COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${work}/prefix/bin/brickwall rig cave5 COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)
+if(EXISTS ${work}/build/node)
+  execute_process(COMMAND ${work}/build/node COMMAND_ERROR_IS_FATAL ANY)
+endif()
