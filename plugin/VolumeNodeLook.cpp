@@ -72,7 +72,7 @@ void VolumeNode::setPlanes(const std::vector<Plane>& planes, double opacity)
 {
     SceneOptions options = options_;
     options.planes = numbersOf(planes);
-    options.planeOpacity = opacity;
+    options.planeOpacity = planes.empty() ? SceneOptions().planeOpacity : opacity;
     setOptions(options);
 }
 
@@ -92,7 +92,10 @@ void VolumeNode::setClip(const ClipRegion& region)
 void VolumeNode::setLight(const std::optional<Light>& light)
 {
     SceneOptions options = options_;
-    options.light.clear();
+    const SceneOptions start;
+    options.light = start.light;
+    options.ambient = start.ambient;
+    options.lightTolerance = start.lightTolerance;
     if (light) {
         options.light = {light->towards.x, light->towards.y, light->towards.z};
         options.ambient = light->ambient;

@@ -247,30 +247,6 @@ TEST(VolumeNode, OpaqueGeometryInFrontHidesItAndBehindIsSeenThroughIt)
     }
 }
 
-TEST(VolumeNode, ChangesOfPropertiesAreCountedAndShown)
-{
-    BRICKWALL_NEEDS_DISPLAY();
-    const osg::ref_ptr<VolumeNode> node = cubeNode();
-    NodeViewer shown(node);
-    shown.settle(*node);
-    const unsigned look = node->lookStamp(), data = node->dataStamp();
-    Scene scene = cubeScene();
-    scene.transferFunction.opacityScale = 0.3f;
-    node->setTransferFunction(scene.transferFunction);
-    node->setShading(Shading::off);
-    EXPECT_EQ(node->lookStamp(), look + 2);
-    EXPECT_EQ(node->dataStamp(), data);
-    shown.viewer.frame();
-    EXPECT_FALSE(node->settled());
-    shown.settle(*node);
-    RenderSettings settings;
-    settings.shading = Shading::off;
-    const Frame frame = renderOne(scene, shown.view(), settings);
-    expectPicture(*shown.picture(), whole, [&](int x, int y) { return composed(frame, x, y, shown.background()); });
-    EXPECT_NE(errorOf([&] { node->setTolerance(0.0); }), "");
-    EXPECT_EQ(node->lookStamp(), look + 2);
-}
-
 TEST(VolumeNode, ACloneSharesTheDataAndHasPropertiesOfItsOwn)
 {
     BRICKWALL_NEEDS_DISPLAY();

@@ -1,0 +1,86 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+/// The properties of a volume in the scene.
+#include "CubeScene.h"
+#include "NodeViewer.h"
+#include "TestDisplay.h"
+#include "TestRigs.h"
+
+#include "brickwall/tests/common/ErrorOf.h"
+
+#include <gtest/gtest.h>
+
+namespace brickwall::test {
+namespace {
+
+constexpr PixelRect whole{0, 0, NodeViewer::width, NodeViewer::height};
+
+TEST(VolumeNode, ChangesOfPropertiesAreCountedAndShown)
+{
+    BRICKWALL_NEEDS_DISPLAY();
+    const osg::ref_ptr<VolumeNode> node = cubeNode();
+    NodeViewer shown(node);
+    shown.settle(*node);
+    const unsigned look = node->lookStamp(), data = node->dataStamp();
+    Scene scene = cubeScene();
+    scene.transferFunction.opacityScale = 0.3f;
+    node->setTransferFunction(scene.transferFunction);
+    node->setShading(Shading::off);
+    EXPECT_EQ(node->lookStamp(), look + 2);
+    EXPECT_EQ(node->dataStamp(), data);
+    shown.viewer.frame();
+    EXPECT_FALSE(node->settled());
+    shown.settle(*node);
+    RenderSettings settings;
+    settings.shading = Shading::off;
+    const Frame frame = renderOne(scene, shown.view(), settings);
+    expectPicture(*shown.picture(), whole, [&](int x, int y) { return composed(frame, x, y, shown.background()); });
+    EXPECT_NE(errorOf([&] { node->setTolerance(0.0); }), "");
+    EXPECT_EQ(node->lookStamp(), look + 2);
+}
+
+TEST(VolumeNode, PlanesClipAndLightAreChangedWithoutReading)
+{
+    BRICKWALL_NEEDS_DISPLAY();
+    SceneOptions options;
+    options.data = "sample:wake:60k";
+    Progress silent;
+    const osg::ref_ptr<VolumeNode> node = new VolumeNode;
+    node->load(options, silent);
+    const osg::BoundingSphere bounds = node->getBound();
+    const osg::Matrixd nodeFromModel =
+        osg::Matrixd::translate(-bounds.center()) * osg::Matrixd::scale(osg::Vec3d(1, 1, 1) * (3.0 / bounds.radius()));
+    node->setTransform(nodeFromModel);
+    NodeViewer shown(node);
+    shown.settle(*node);
+    const unsigned data = node->dataStamp(), look = node->lookStamp();
+
+    ClipRegion clip;
+    clip.planes = {{{0, 0, -1}, -0.5}};
+    clip.sphere = Sphere{{2.0, 0.0, 0.0}, 2.5};
+    node->setPlanes({{{0, 0, 1}, 0.0}, {{1, 0, 0}, 1.0}}, 0.7);
+    node->setClip(clip);
+    node->setLight(Light{{0.2, 1.0, 0.5}, 0.3f});
+    EXPECT_EQ(node->lookStamp(), look + 3);
+    EXPECT_EQ(node->dataStamp(), data);
+    Scene scene = prepareScene(options, Executor(1), silent).scene;
+    scene.planes = {{{{0, 0, 1}, 0.0}, 0.7f}, {{{1, 0, 0}, 1.0}, 0.7f}};
+    scene.clip = clip;
+    RenderSettings settings;
+    settings.light = Light{{0.2, 1.0, 0.5}, 0.3f};
+    const auto expectShown = [&] {
+        shown.settle(*node);
+        const Frame frame = renderOne(scene, shown.view(nodeFromModel), settings);
+        expectPicture(*shown.picture(), whole, [&](int x, int y) { return composed(frame, x, y, shown.background()); });
+    };
+    expectShown();
+    node->setPlanes({});
+    node->setClip({});
+    node->setLight({});
+    scene.planes.clear();
+    scene.clip = {};
+    settings.light.reset();
+    expectShown();
+}
+
+} // namespace
+} // namespace brickwall::test
