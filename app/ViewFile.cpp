@@ -200,6 +200,12 @@ SceneOptions sceneOf(const Node& node, const std::filesystem::path& folder)
     maybeNumbers(node, "iso", scene.iso);
     maybeNumbers(node, "iso_color", scene.isoColors);
     maybeNumbers(node, "iso_opacity", scene.isoOpacity);
+    maybeTexts(node, "mesh", scene.meshes);
+    for (std::string& mesh : scene.meshes)
+        mesh = (folder / mesh).string();
+    node.maybe("mesh_scale", scene.meshScale);
+    maybeNumbers(node, "mesh_offset", scene.meshOffset);
+    maybeNumbers(node, "mesh_color", scene.meshColor);
     maybeNumbers(node, "light", scene.light);
     node.maybe("ambient", scene.ambient);
     maybeNumbers(node, "plane", scene.planes);
@@ -235,12 +241,13 @@ ViewFile readViewFile(const std::string& path)
 {
     const json root = parse(path);
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    const Node node(root, path,
-                    {"data",        "derive",        "field",       "non_finite",      "tf",        "colormap",
-                     "range",       "opacity_scale", "shading",     "volume",          "iso",       "iso_color",
-                     "iso_opacity", "light",         "ambient",     "light_tolerance", "plane",     "plane_opacity",
-                     "clip_plane",  "clip_box",      "clip_sphere", "method",          "tolerance", "dt",
-                     "views"});
+    const Node node(
+        root, path,
+        {"data",          "derive",      "field",      "non_finite",  "tf",        "colormap",        "range",
+         "opacity_scale", "shading",     "volume",     "iso",         "iso_color", "iso_opacity",     "mesh",
+         "mesh_scale",    "mesh_offset", "mesh_color", "light",       "ambient",   "light_tolerance", "plane",
+         "plane_opacity", "clip_plane",  "clip_box",   "clip_sphere", "method",    "tolerance",       "dt",
+         "views"});
     ViewFile file;
     file.path = path;
     file.scene = sceneOf(node, folder);

@@ -13,6 +13,7 @@ find_package(ZLIB REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(hwy REQUIRED QUIET IMPORTED_TARGET libhwy)
 pkg_check_modules(hdf5 REQUIRED QUIET IMPORTED_TARGET hdf5)
+pkg_check_modules(tinyobjloader REQUIRED QUIET IMPORTED_TARGET tinyobjloader)
 pkg_check_modules(openexr REQUIRED QUIET IMPORTED_TARGET OpenEXR)
 if(NOT TARGET brickwall::openvdb) # by hand: Debian's FindOpenVDB.cmake would ask for all that OpenVDB was built with
   find_package(Imath REQUIRED) # numbers of 16 bits

@@ -61,6 +61,7 @@ struct TriangleMesh
 {
     std::vector<vec3f> vertices;
     std::vector<vec3i> triangles;
+    vec3f color{0.8f}; ///< linear RGB, before shading
 };
 
 /// What a reader yields and everything else starts from: disjoint bricks of leaf cells with the values of the fields

@@ -68,7 +68,7 @@ struct Scene
 {
     std::shared_ptr<const RegionTree> regions;
     std::shared_ptr<const PaddedField> field;
-    std::shared_ptr<const TriangleScene> triangles; ///< opaque, grey; may be null
+    std::shared_ptr<const TriangleScene> triangles; ///< opaque; may be null
     /// Opaque triangles that are drawn elsewhere, and not here: rays end there like at a view's SceneDepth, and shadows
     /// are cast. May be null.
     std::shared_ptr<const TriangleScene> occluders;

@@ -11,9 +11,6 @@
 namespace brickwall {
 namespace {
 
-/// Of opaque triangles, linear.
-constexpr float grey = 0.8f;
-
 void add(const Layer& layer, int ray, TileResult& result)
 {
     const float weight = result.transmittance[ray] * layer.opacity;
@@ -158,7 +155,7 @@ RayTile::PerRay<float> TileRenderer::shadesOf(const TilePixels& pixels, const En
         const TriangleHit& hit = ends.hits[i];
         points[i].wanted = light_ && hit.hit && result.transmittance[i] > 0.0f;
         const double cosine = glm::dot(vec3d(hit.normal), glm::normalize(pixels.worldDirection[i]));
-        shades[i] = grey * static_cast<float>(0.2 + 0.8 * std::abs(cosine));
+        shades[i] = static_cast<float>(0.2 + 0.8 * std::abs(cosine));
         if (!points[i].wanted)
             continue;
         points[i].position = light_->positionOf(rays_.view().eye + double(hit.t) * pixels.worldDirection[i]);
@@ -167,8 +164,6 @@ RayTile::PerRay<float> TileRenderer::shadesOf(const TilePixels& pixels, const En
     if (!light_)
         return shades;
     light_->onSurfaces(points, pixels.count, shades, result.counts);
-    for (int i = 0; i < pixels.count; ++i)
-        shades[i] *= points[i].wanted ? grey : 1.0f;
     return shades;
 }
 
@@ -191,7 +186,7 @@ TileCounts TileRenderer::render(int x, int y, Frame& frame) const
         // Where there is next to no opacity, rounding would throw the mean far off.
         double mean = weight > 0.0 ? std::clamp(distance / weight, double(tile.tNear[i]), double(tile.tFar[i])) : 0.0;
         if (ends.hits[i].hit) {
-            color += vec4f(vec3f(through * shades[i]), through);
+            color += vec4f(through * shades[i] * ends.hits[i].color, through);
             mean = weight * mean + through * rays_.tileFromWorld(i, ends.hits[i].t, pixels);
             weight = 1.0;
         }

@@ -50,7 +50,7 @@ private:
     void integrate(const RayTile& tile, TileResult& result) const;
     /// Gives the layers with this number of all rays their light, instead of that of the eye.
     void light(const RayTile& tile, std::uint32_t number, Layers& layers, TileResult& result) const;
-    /// Of the triangles that are drawn: linear grey.
+    /// What the colours of triangles that are drawn are multiplied with.
     RayTile::PerRay<float> shadesOf(const TilePixels& pixels, const Ends& ends, TileResult& result) const;
     TileCounts countsOf(const RayTile& tile, const TileResult& result, const Layers& layers) const;
 

@@ -53,6 +53,11 @@ void addSceneOptions(CLI::App& command, SceneOptions& options)
             "R,G,B in [0, 1] as displayed, for all surfaces or once per value (default: of the transfer function)");
     addList(command, "--iso-opacity", options.isoOpacity,
             "A, for all surfaces or A[,A...] per value, in (0, 1] (default 1)");
+    command.add_option("--mesh", options.meshes, "opaque triangles: .obj, .ply, .stl or .tris (may be repeated)")
+        ->allow_extra_args(false);
+    command.add_option("--mesh-scale", options.meshScale, "multiplies the coordinates of meshes (default 1)");
+    addList(command, "--mesh-offset", options.meshOffset, "X,Y,Z: moves meshes after that, in the data's coordinates");
+    addList(command, "--mesh-color", options.meshColor, "R,G,B as displayed (default: the file's materials, or grey)");
     addList(command, "--light", options.light,
             "X,Y,Z: where a light comes from that casts shadows, in the data's coordinates (default: none)");
     command.add_option("--ambient", options.ambient, "of the light, what comes from everywhere (default 0.2)");

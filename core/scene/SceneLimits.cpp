@@ -93,6 +93,24 @@ void checkSurfaces(const SceneOptions& options, const Limits& limits)
                    "numbers above 0 and at most 1", listOf(options.isoOpacity));
 }
 
+void checkMeshes(const SceneOptions& options, const PlaceOfOption& placeOf, const Limits& limits)
+{
+    const SceneOptions start;
+    const std::vector<double>& offset = options.meshOffset;
+    if (options.meshes.empty()) {
+        const std::string wanted = fmt::format("{} with it", placeOf("mesh"));
+        limits.require(options.meshScale == start.meshScale, "mesh_scale", wanted, "none");
+        limits.require(offset.empty(), "mesh_offset", wanted, "none");
+        limits.require(options.meshColor.empty(), "mesh_color", wanted, "none");
+    }
+    limits.require(options.meshScale > 0.0 && isFinite(options.meshScale), "mesh_scale", "a finite number above 0",
+                   options.meshScale);
+    limits.require(offset.empty() || (offset.size() == 3 && std::all_of(offset.begin(), offset.end(), isFinite)),
+                   "mesh_offset", "X,Y,Z, all finite", listOf(offset));
+    limits.require(options.meshColor.empty() || (options.meshColor.size() == 3 && areFractions(options.meshColor)),
+                   "mesh_color", "R,G,B, each from 0 to 1", listOf(options.meshColor));
+}
+
 void checkLight(const SceneOptions& options, const PlaceOfOption& placeOf, const Limits& limits)
 {
     const std::vector<double>& l = options.light;
@@ -165,6 +183,7 @@ void checkSceneOptions(const SceneOptions& options, const PlaceOfOption& placeOf
     limits.oneOf("shading", options.shading, {"headlight", "off"});
     limits.oneOf("volume", options.volume, {"on", "off"});
     checkSurfaces(options, limits);
+    checkMeshes(options, placeOf, limits);
     checkLight(options, placeOf, limits);
     checkPlaces(options, placeOf, limits);
     limits.require(options.background.empty() || (options.background.size() == 3 && areFractions(options.background)),

@@ -3,6 +3,7 @@
 
 #include "brickwall/core/base/Error.h"
 #include "brickwall/core/io/DerivedFields.h"
+#include "brickwall/core/io/MeshFile.h"
 #include "brickwall/core/shade/ColorMaps.h"
 #include "brickwall/core/shade/Srgb.h"
 
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <utility>
 
 namespace brickwall {
 namespace {
@@ -109,6 +111,22 @@ std::unique_ptr<DataSet> openData(const SceneOptions& options)
 vec3f backgroundColor(const SceneOptions& options, const vec3f& otherwise)
 {
     return options.background.empty() ? otherwise : linearColor(options.background.data());
+}
+
+std::vector<TriangleMesh> readMeshes(const SceneOptions& options, Progress& progress)
+{
+    std::vector<TriangleMesh> meshes;
+    const std::vector<double>& o = options.meshOffset;
+    const vec3d offset = o.empty() ? vec3d(0.0) : vec3d(o[0], o[1], o[2]);
+    for (const std::string& file : options.meshes)
+        for (TriangleMesh& mesh : readMesh(file, progress)) {
+            for (vec3f& vertex : mesh.vertices)
+                vertex = vec3f(options.meshScale * vec3d(vertex) + offset);
+            if (!options.meshColor.empty())
+                mesh.color = linearColor(options.meshColor.data());
+            meshes.push_back(std::move(mesh));
+        }
+    return meshes;
 }
 
 std::vector<ContourPlane> contourPlanes(const SceneOptions& options)

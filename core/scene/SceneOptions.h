@@ -27,10 +27,14 @@ struct SceneOptions
     std::string shading = "headlight";
     std::string volume = "on";
     std::vector<double> iso;
-    std::vector<double> isoColors;  ///< r, g, b in sRGB: none, one for all, or one per value
-    std::vector<double> isoOpacity; ///< none, one for all, or one per value
-    std::vector<double> light;      ///< none, or x, y, z: the direction that it comes from, in world space
-    double ambient = 0.2;           ///< of the light, what comes from everywhere
+    std::vector<double> isoColors;   ///< r, g, b in sRGB: none, one for all, or one per value
+    std::vector<double> isoOpacity;  ///< none, one for all, or one per value
+    std::vector<std::string> meshes; ///< files of opaque triangles (MeshFile.h), beside those of the data
+    double meshScale = 1.0;          ///< of their coordinates, before the offset
+    std::vector<double> meshOffset;  ///< none, or x, y, z in world space
+    std::vector<double> meshColor;   ///< none (that of the file), or r, g, b in sRGB
+    std::vector<double> light;       ///< none, or x, y, z: the direction that it comes from, in world space
+    double ambient = 0.2;            ///< of the light, what comes from everywhere
     double lightTolerance = 1.0 / 64.0;
     std::vector<double> planes; ///< contour planes, x, y, z, offset for each
     double planeOpacity = 1.0;
@@ -71,6 +75,8 @@ NonFinite nonFiniteOf(const SceneOptions& options);
 std::unique_ptr<DataSet> openData(const SceneOptions& options);
 /// The background as linear RGB; `otherwise` if the user did not say.
 vec3f backgroundColor(const SceneOptions& options, const vec3f& otherwise = vec3f(0.0f));
+/// Reads the meshes that the options name, and moves and paints them as they say.
+std::vector<TriangleMesh> readMeshes(const SceneOptions& options, Progress& progress);
 /// Contour planes and what is cut away, of options that are within their limits.
 std::vector<ContourPlane> contourPlanes(const SceneOptions& options);
 ClipRegion clipRegion(const SceneOptions& options);

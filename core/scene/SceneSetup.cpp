@@ -9,7 +9,9 @@
 
 #include <fmt/format.h>
 
+#include <iterator>
 #include <utility>
+#include <vector>
 
 namespace brickwall {
 namespace {
@@ -58,6 +60,7 @@ PreparedScene prepareScene(const SceneOptions& options, const Executor& executor
     const std::string fieldName = options.field.empty() ? data->defaultField() : options.field;
     if (fieldName.empty())
         throw Error(options.data, "there is no field to show");
+    std::vector<TriangleMesh> meshes = readMeshes(options, progress); // what is wrong there is said before the work
     Model model = data->load(std::vector{fieldName}, executor, progress, nonFiniteOf(options));
     for (const std::string& note : model.notes)
         progress.note(note);
@@ -74,6 +77,8 @@ PreparedScene prepareScene(const SceneOptions& options, const Executor& executor
     prepared.bytes = regions->bytes() + padded->bytes();
     prepared.scene.regions = std::move(regions);
     prepared.scene.field = std::move(padded);
+    model.meshes.insert(model.meshes.end(), std::make_move_iterator(meshes.begin()),
+                        std::make_move_iterator(meshes.end()));
     if (!model.meshes.empty())
         prepared.scene.triangles = std::make_shared<TriangleScene>(model.meshes);
     prepared.scene.worldFromVoxel = model.worldFromVoxel;

@@ -119,6 +119,11 @@ std::string sceneText(const SceneOptions& options)
     line.add("iso", options.iso, start.iso);
     line.add("iso-color", options.isoColors, start.isoColors);
     line.add("iso-opacity", options.isoOpacity, start.isoOpacity);
+    for (const std::string& mesh : options.meshes)
+        line.addWord("mesh", mesh);
+    line.add("mesh-scale", options.meshScale, start.meshScale);
+    line.add("mesh-offset", options.meshOffset, start.meshOffset);
+    line.add("mesh-color", options.meshColor, start.meshColor);
     line.add("light", options.light, start.light);
     line.add("ambient", options.ambient, start.ambient);
     line.add("light-tolerance", options.lightTolerance, start.lightTolerance);

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace brickwall {
 namespace {
@@ -73,6 +74,7 @@ struct TriangleScene::Embree
     vec3d center{0.0};
     double radius = 0.0; ///< of the sphere around `center` that has all triangles
     bool empty = true;
+    std::vector<vec3f> colors; ///< by Embree's number of a mesh
 
     ~Embree();
     void place(std::span<const TriangleMesh> meshes);
@@ -121,7 +123,9 @@ void TriangleScene::Embree::add(const TriangleMesh& mesh)
             for (int i = 0; i < 3; ++i)
                 *indices++ = unsigned(t[i]);
         rtcCommitGeometry(geometry);
-        rtcAttachGeometry(scene, geometry);
+        const unsigned number = rtcAttachGeometry(scene, geometry);
+        colors.resize(std::max<std::size_t>(colors.size(), number + 1));
+        colors[number] = mesh.color;
     }
     rtcReleaseGeometry(geometry);
     throwIfFailed(device, "take the vertices and triangles");
@@ -151,7 +155,7 @@ TriangleHit TriangleScene::Embree::intersect(const vec3d& origin, const vec3d& d
     if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID)
         return {};
     const vec3d normal(ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z);
-    return {float((start + ray.ray.tfar) / length), vec3f(glm::normalize(normal)), true};
+    return {float((start + ray.ray.tfar) / length), vec3f(glm::normalize(normal)), true, colors[ray.hit.geomID]};
 }
 
 TriangleScene::TriangleScene(std::span<const TriangleMesh> meshes) : embree_(std::make_unique<Embree>())

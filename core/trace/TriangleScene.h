@@ -13,6 +13,7 @@ struct TriangleHit
     float t = 0.0f;     ///< along the direction that was given; only meaningful if `hit`
     vec3f normal{0.0f}; ///< geometric, world space, unit length, not oriented
     bool hit = false;
+    vec3f color{0.8f}; ///< of its mesh
 };
 
 /// Opaque triangles in world space, to be hit by rays. The only part that knows Embree (3.13). Immutable after

@@ -127,6 +127,9 @@ TEST(AccuracyOptions, OutsideTheirLimitsAreRefusedInOneLine)
     refused("--iso 0.5 --iso-opacity 0", "--iso-opacity: expected numbers above 0");
     refused("--iso 0.5,0.6,0.7 --iso-opacity 0.5,1", "--iso-opacity: expected 1 number");
     refused("--volume maybe", "--volume: expected on, off");
+    refused("--mesh-color 1,0,0", "--mesh-color: expected --mesh with it");
+    refused("--mesh ball.obj --mesh-scale 0", "--mesh-scale: expected a finite number above 0");
+    refused("--mesh /no/such/ball.obj", "/no/such/ball.obj: there is no such file");
     refused("--light 0,0,0", "--light: expected X,Y,Z, finite");
     refused("--ambient 0.5", "--ambient: expected --light with it");
     refused("--light 0,1,0 --ambient 2", "--ambient: expected a number from 0 to 1");

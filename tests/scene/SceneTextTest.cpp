@@ -46,29 +46,33 @@ TEST(SceneText, RefusesWhatTheCommandLineRefusesAndChangesNothing)
 {
     SceneOptions options = optionsOf("field=kept");
     const SceneOptions before = options;
-    for (const char* bad : {"tolerance=2",
-                            "tolerance=abc",
-                            "range=1",
-                            "shading=on",
-                            "field=b dt=0.5",
-                            "iso=1,1",
-                            "opacity-scale=x",
-                            "colormap=nosuch",
-                            "field='b",
-                            "light=0,0,0",
-                            "light=1,2",
-                            "light=1,0,0 ambient=2",
-                            "ambient=0.5",
-                            "light=1,0,0 light-tolerance=0",
-                            "light-tolerance=0.5",
-                            "plane-opacity=0.5",
-                            "plane=1,0,0",
-                            "plane=0,0,0,1",
-                            "plane-opacity=0",
-                            "clip-plane=0,0,0,1",
-                            "clip-box=0,0,0,1,1",
-                            "clip-box=0,0,0,1,0,1",
-                            "clip-sphere=0,0,0,0"})
+    const std::vector<std::string> refused = {"tolerance=2",
+                                              "tolerance=abc",
+                                              "range=1",
+                                              "shading=on",
+                                              "field=b dt=0.5",
+                                              "iso=1,1",
+                                              "opacity-scale=x",
+                                              "colormap=nosuch",
+                                              "field='b",
+                                              "light=0,0,0",
+                                              "light=1,2",
+                                              "light=1,0,0 ambient=2",
+                                              "ambient=0.5",
+                                              "light=1,0,0 light-tolerance=0",
+                                              "light-tolerance=0.5",
+                                              "plane-opacity=0.5",
+                                              "plane=1,0,0",
+                                              "plane=0,0,0,1",
+                                              "plane-opacity=0",
+                                              "clip-plane=0,0,0,1",
+                                              "clip-box=0,0,0,1,1",
+                                              "clip-box=0,0,0,1,0,1",
+                                              "clip-sphere=0,0,0,0",
+                                              "mesh-scale=2",
+                                              "mesh=a.obj mesh-scale=0",
+                                              "mesh=a.obj mesh-offset=1,2"};
+    for (const std::string& bad : refused)
         EXPECT_NE(errorOf([&] { readSceneText(bad, options); }), "") << bad;
     EXPECT_EQ(options, before);
 }
@@ -81,7 +85,8 @@ TEST(SceneText, WritesWhatItReads)
           "tolerance=0.002",
           "derive=\"b = 2 * a\" non-finite=empty colormap=\"Cool Warm\" opacity-scale=0.1 volume=off background=0,0,1 "
           "method=midpoint dt=0.25 threads=3",
-          "light=0.5,1,-2 ambient=0.1 light-tolerance=0.25 plane=1,0,0,0.5,0,1,0,-2 plane-opacity=0.5 "
+          "mesh=a.obj mesh=\"b c.ply\" mesh-scale=0.5 mesh-offset=1,2,3 mesh-color=1,0,0 light=0.5,1,-2 ambient=0.1 "
+          "light-tolerance=0.25 plane=1,0,0,0.5,0,1,0,-2 plane-opacity=0.5 "
           "clip-plane=0,0,1,3 clip-box=-1,-1,-1,1,2,3 clip-sphere=1,2,3,4"}) {
         const SceneOptions options = optionsOf(text);
         EXPECT_EQ(sceneText(options), text);
