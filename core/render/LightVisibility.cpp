@@ -141,7 +141,7 @@ void LightVisibility::from(const PerRay<vec3d>& points, const PerRay<bool>& want
         return;
     TileResult result;
     passSurfaces(shadow, result);
-    integrateVolume(scene_, settings_, shadow, result);
+    integrateVolume(scene_.volume, scene_.reference, settings_, shadow, result);
     for (int i = 0; i < shadow.count; ++i)
         visibility[rayOf[i]] = result.transmittance[i];
     counts += result.counts;

@@ -135,14 +135,14 @@ private:
 
 } // namespace
 
-void integrateLit(const TileScene& scene, const RenderSettings& settings, const LightVisibility& visibility,
-                  const RayTile& tile, TileResult& result)
+void integrateLit(const std::function<void(const RayTile&, TileResult&)>& integrate, const Light& light,
+                  const LightVisibility& visibility, const RayTile& tile, TileResult& result)
 {
-    LitRays rays(visibility, *settings.light, tile, result);
+    LitRays rays(visibility, light, tile, result);
     RayTile part = tile;
     while (rays.next(part)) {
         const TileResult before = result;
-        integrateVolume(scene, settings, part, result);
+        integrate(part, result);
         rays.finish(part, before);
     }
 }

@@ -44,10 +44,13 @@ TileCounts& TileCounts::operator+=(const TileCounts& other)
 
 void TileRenderer::integrate(const RayTile& tile, TileResult& result) const
 {
+    const auto dark = [this](const RayTile& part, TileResult& sum) {
+        integrateVolume(scene_.volume, scene_.reference, settings_, part, sum);
+    };
     if (light_)
-        integrateLit(scene_, settings_, *light_, tile, result);
+        integrateLit(dark, *settings_.light, *light_, tile, result);
     else
-        integrateVolume(scene_, settings_, tile, result);
+        dark(tile, result);
 }
 
 bool TileRenderer::hasLayers() const

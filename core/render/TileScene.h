@@ -25,7 +25,9 @@ struct TileScene
     const ReferenceIntegrator* reference = nullptr; ///< for that method
 };
 
-/// Integrates the volume alone along the rays of a tile, by the method of the settings; their light is not asked.
-void integrateVolume(const TileScene& scene, const RenderSettings& settings, const RayTile& tile, TileResult& result);
+/// Integrates a volume alone along the rays of a tile, by the method of the settings; their light is not asked.
+/// `reference` is for that method.
+void integrateVolume(const TraceScene& volume, const ReferenceIntegrator* reference, const RenderSettings& settings,
+                     const RayTile& tile, TileResult& result);
 
 } // namespace brickwall
