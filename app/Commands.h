@@ -20,6 +20,7 @@ void addConvertCommand(CLI::App& app, Action& chosen);
 void addSampleCommand(CLI::App& app, Action& chosen);
 void addRigCommand(CLI::App& app, Action& chosen);
 void addChartCommand(CLI::App& app, Action& chosen);
+void addFlightCommand(CLI::App& app, Action& chosen);
 void addVerifyCommand(CLI::App& app, Action& chosen);
 
 } // namespace brickwall

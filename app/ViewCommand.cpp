@@ -1,15 +1,20 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "Commands.h"
+#include "Flight.h"
 #include "RenderViews.h"
 #include "TerminalProgress.h"
 
 #include "brickwall/channels/RigFiles.h"
+#include "brickwall/core/base/Error.h"
 #include "brickwall/core/scene/SceneArguments.h"
 #include "brickwall/core/scene/SceneSetup.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -28,7 +33,33 @@ struct Options
     int frames = 0;
     std::string screenshots;
     bool preview = false;
+    std::string fps = "20";
+    std::string flight;
 };
+
+/// "off", or a number from 5 to 60.
+std::optional<double> fpsOf(const std::string& text)
+{
+    if (text == "off")
+        return std::nullopt;
+    const double fps = parseNumber(text, "--fps");
+    if (!(fps >= 5.0 && fps <= 60.0))
+        throw Error("--fps", fmt::format("expected 5 to 60 frames per second, or off, found {}", text));
+    return fps;
+}
+
+#ifdef BRICKWALL_HAS_PLUGIN
+/// Ends with the last key pose.
+std::function<std::optional<mat4d>(double)> flightOf(const Flight& flight, const Rig& rig, const Box3d& bounds)
+{
+    return [=, landed = false](double seconds) mutable -> std::optional<mat4d> {
+        if (landed)
+            return std::nullopt;
+        landed = seconds >= flight.seconds();
+        return roomFromWorldAt(flight.at(seconds), rig, bounds);
+    };
+}
+#endif
 
 int view(const Options& options)
 {
@@ -50,6 +81,9 @@ int view(const Options& options)
     viewer.screenshotFolder = options.screenshots;
     viewer.renderThreads = options.scene.threads;
     viewer.preview = options.preview;
+    viewer.fps = fpsOf(options.fps);
+    if (!options.flight.empty())
+        viewer.flight = flightOf(readFlight(options.flight, prepared.bounds), rig, prepared.bounds);
     viewScene(prepared.scene, rig, renderSettings(options.scene), viewer, progress);
     return 0;
 #else
@@ -74,12 +108,19 @@ void addViewCommand(CLI::App& app, Action& chosen)
     addMethodOptions(*command, options->scene);
     command->add_flag("--preview", options->preview,
                       "one window that shows the rig from outside: its screens, what they show, heads and frusta");
+    command->add_option(
+        "--fps", options->fps,
+        "frames per second to be held while something moves, 5 to 60, or off (default 20): what moves is "
+        "rendered less accurately, what rests as --tolerance or --dt say");
+    command->add_option("--flight", options->flight,
+                        "fly through the data: a JSON file of key poses with their times (docs/frame-time.md)");
     command->add_option("--frames", options->frames, "draw N complete frames and end (default 0: until Escape)")
         ->check(CLI::Range(0, 1000000));
     command->add_option("--screenshots", options->screenshots,
                         "with --frames: write a PNG of every window into this folder");
     command->callback([options, &chosen] {
         checkSceneOptions(options->scene, commandLinePlace);
+        fpsOf(options->fps);
         chosen = [options] { return view(*options); };
     });
 }

@@ -33,6 +33,7 @@ int run(int argc, char** argv)
     brickwall::addSampleCommand(app, chosen);
     brickwall::addRigCommand(app, chosen);
     brickwall::addChartCommand(app, chosen);
+    brickwall::addFlightCommand(app, chosen);
     brickwall::addVerifyCommand(app, chosen);
     try {
         app.parse(argc, argv);

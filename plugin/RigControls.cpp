@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace brickwall {
 namespace {
@@ -26,6 +27,8 @@ constexpr const char* helpText = "left drag: turn the data\n"
                                  "shift + arrows: turn the head\n"
                                  "r: back to the start\n"
                                  "f: full screen\n"
+                                 "+, -: frames per second; 0: as many as there are\n"
+                                 "t: what they cost, or not\n"
                                  "h: this text\n"
                                  "escape: quit";
 
@@ -119,6 +122,35 @@ bool RigControls::drag(const Event& event)
     return true;
 }
 
+void RigControls::showStatus(const std::string& status)
+{
+    status_ = status;
+    showText();
+}
+
+void RigControls::showText()
+{
+    std::string text = statusShown_ ? status_ : "";
+    if (helpShown_)
+        text += (text.empty() ? "" : "\n\n") + std::string(helpText);
+    if (text != shownText_)
+        windows_.setText(text);
+    shownText_ = text;
+}
+
+bool RigControls::setFps(int key)
+{
+    if (!pace_)
+        return false;
+    constexpr double usual = 20.0;
+    if (key == '0')
+        pace_->setFps(pace_->fps() ? std::nullopt : std::optional(usual));
+    else
+        pace_->setFps(pace_->fps().value_or(usual) + (key == '-' ? -1.0 : 1.0));
+    showStatus(pace_->status());
+    return true;
+}
+
 bool RigControls::key(const Event& event)
 {
     switch (event.getKey()) {
@@ -127,8 +159,17 @@ bool RigControls::key(const Event& event)
         return true;
     case 'h':
         helpShown_ = !helpShown_;
-        windows_.setText(helpShown_ ? helpText : "");
+        showText();
         return true;
+    case 't':
+        statusShown_ = !statusShown_;
+        showText();
+        return true;
+    case '+':
+    case '=':
+    case '-':
+    case '0':
+        return setFps(event.getKey());
     case 'f':
         windows_.toggleFullScreen(window_);
         return true;

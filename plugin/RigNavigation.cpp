@@ -39,6 +39,12 @@ void RigNavigation::translateData(const vec3d& distance)
     moveData(glm::translate(mat4d(1.0), distance));
 }
 
+void RigNavigation::placeData(const mat4d& roomFromWorld)
+{
+    movedFromRoom_ = roomFromWorld * glm::inverse(startRoomFromWorld_);
+    ++stamp_;
+}
+
 void RigNavigation::moveHeads(const vec3d& distance)
 {
     for (mat4d& head : roomFromHeads_)

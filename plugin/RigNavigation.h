@@ -19,6 +19,8 @@ public:
     void rotateData(const vec3d& axis, double angle);
     void scaleData(double factor);
     void translateData(const vec3d& distance);
+    /// To a place of its own, from wherever they are.
+    void placeData(const mat4d& roomFromWorld);
 
     /// All tracked heads at once; turning is about each head's own origin and axes (x right, y forward, z up).
     void moveHeads(const vec3d& distance);

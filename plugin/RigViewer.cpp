@@ -1,6 +1,7 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "brickwall/plugin/RigViewer.h"
 
+#include "brickwall/channels/LeveredViews.h"
 #include "brickwall/core/base/BoxCorners.h"
 #include "brickwall/core/base/Error.h"
 #include "brickwall/plugin/Pictures.h"
@@ -8,6 +9,7 @@
 #include "brickwall/plugin/RoomPreview.h"
 
 #include <chrono>
+#include <optional>
 #include <thread>
 
 namespace brickwall {
@@ -24,21 +26,42 @@ Rig withoutUnseenChannels(Rig rig)
     return rig;
 }
 
+/// Until something may be new.
+void wait(RoomPreview&)
+{
+    std::this_thread::sleep_for(10ms);
+}
+void wait(RigShow& show)
+{
+    show.wait(10ms);
+}
+
 /// Until the user ends it, or the frames are drawn.
 template <class Shown>
 void run(Shown& shown, const ViewerOptions& options)
 {
     for (int i = 0; i < options.frames && !shown.done(); ++i)
         shown.drawCompleted();
-    while (options.frames == 0 && !shown.done())
+    const auto start = std::chrono::steady_clock::now();
+    for (bool flying = bool(options.flight); options.frames == 0 && !shown.done();) {
+        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+        if (const auto place = flying ? options.flight(seconds.count()) : std::nullopt)
+            shown.navigation().placeData(*place);
+        else
+            flying = false;
         if (!shown.step())
-            std::this_thread::sleep_for(10ms);
+            wait(shown);
+    }
 }
 
-} // namespace
+void runShow(RigShow& show, const Rig& rig, const ViewerOptions& options)
+{
+    run(show, options);
+    if (!options.screenshotFolder.empty())
+        writePictures(options.screenshotFolder, rig, show.pictures());
+}
 
-void runRigViewer(const Rig& rig, const Box3d& worldBounds, const FrameMaker& makeFrames, const ViewerOptions& options,
-                  Progress& progress)
+void checkOptions(const ViewerOptions& options)
 {
     if (options.frames < 0)
         throw Error("viewer", "expected a number of frames, or 0 to run until it is closed");
@@ -46,6 +69,14 @@ void runRigViewer(const Rig& rig, const Box3d& worldBounds, const FrameMaker& ma
         throw Error("viewer", "expected a scale of the windows above 0");
     if (options.frames == 0 && !options.screenshotFolder.empty())
         throw Error("viewer", "pictures of the windows are taken after a number of frames; give one");
+}
+
+} // namespace
+
+void runRigViewer(const Rig& rig, const Box3d& worldBounds, const FrameMaker& makeFrames, const ViewerOptions& options,
+                  Progress& progress)
+{
+    checkOptions(options);
     checkRig(rig, rig.name);
     if (options.preview) {
         RoomPreview preview(rig, worldBounds, makeFrames, progress);
@@ -58,9 +89,7 @@ void runRigViewer(const Rig& rig, const Box3d& worldBounds, const FrameMaker& ma
     }
     const Rig shown = withoutUnseenChannels(rig);
     RigShow show(shown, worldBounds, makeFrames, options.windowScale, options.drawThreads, progress);
-    run(show, options);
-    if (!options.screenshotFolder.empty())
-        writePictures(options.screenshotFolder, shown, show.pictures());
+    runShow(show, shown, options);
 }
 
 void viewScene(const Scene& scene, const Rig& rig, const RenderSettings& settings, const ViewerOptions& options,
@@ -69,10 +98,18 @@ void viewScene(const Scene& scene, const Rig& rig, const RenderSettings& setting
     const Box3d bounds = worldBounds(scene);
     const Executor executor(options.renderThreads);
     const Renderer renderer(scene, executor);
-    const FrameMaker makeFrames = [&](std::span<const View> views, Progress& rendering) {
-        return renderer.render(views, settings, rendering);
+    const LeveredFrameMaker makeFrames = [&](std::span<const View> views, const FrameLevers& levers,
+                                             Progress& rendering) {
+        return renderer.render(scaledViews(views, levers), withLevers(settings, levers), rendering);
     };
-    runRigViewer(rig, bounds, makeFrames, options, progress);
+    FramePace pace(makeFrames, leversOf(settings), options.fps);
+    if (options.preview || !options.fps)
+        return runRigViewer(rig, bounds, pace.finished(), options, progress);
+    checkOptions(options);
+    checkRig(rig, rig.name);
+    const Rig shown = withoutUnseenChannels(rig);
+    RigShow show(shown, bounds, pace, options.windowScale, options.drawThreads, progress);
+    runShow(show, shown, options);
 }
 
 Box3d worldBounds(const Scene& scene)

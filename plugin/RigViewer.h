@@ -4,9 +4,13 @@
 #include "brickwall/channels/Rig.h"
 #include "brickwall/core/base/Box.h"
 #include "brickwall/core/base/Progress.h"
+#include "brickwall/core/base/Vec.h"
 #include "brickwall/core/render/Renderer.h"
+#include "brickwall/plugin/FramePace.h"
 #include "brickwall/plugin/ViewRendering.h"
 
+#include <functional>
+#include <optional>
 #include <string>
 
 namespace brickwall {
@@ -21,7 +25,13 @@ struct ViewerOptions
     double windowScale = 1.0; ///< of the windows' sizes and positions
     bool drawThreads = false; ///< a draw thread per window, for several graphics cards; otherwise all is drawn by one
     int renderThreads = 0;    ///< 0: one per core
-    bool preview = false;     ///< one window that shows the whole room from outside (RoomPreview), named "preview"
+    /// Of viewScene: frames per second that are held while something moves, by rendering less accurately (FramePace), 5
+    /// to 60; what rests is refined. None: every frame is rendered as the settings say.
+    std::optional<double> fps;
+    /// Of viewScene: where the data are placed (roomFromWorld) so many seconds after the start, until it says nothing
+    /// more; then they rest there. None: only the user moves them.
+    std::function<std::optional<mat4d>(double seconds)> flight;
+    bool preview = false; ///< one window that shows the whole room from outside (RoomPreview), named "preview"
 };
 
 /// Opens the windows of the rig and shows the data in them until the user quits; docs/viewer.md has the controls. All

@@ -1,0 +1,82 @@
+// Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#include "brickwall/channels/LeveredViews.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace brickwall {
+namespace {
+
+/// Makes the clip space of the window from that of the screen.
+mat4d windowFromScreen(const View& view)
+{
+    const PixelRect& w = view.window;
+    const vec3d scale(double(view.screenWidth) / w.width, double(view.screenHeight) / w.height, 1.0);
+    const vec3d center((2.0 * w.x + w.width) / view.screenWidth - 1.0, (2.0 * w.y + w.height) / view.screenHeight - 1.0,
+                       0.0);
+    return glm::scale(mat4d(1.0), scale) * glm::translate(mat4d(1.0), -center);
+}
+
+int scaled(int pixels, int eighths)
+{
+    return std::max(1, int(std::lround(pixels * eighths / 8.0)));
+}
+
+} // namespace
+
+LeverTable leversOf(const RenderSettings& settings)
+{
+    if (settings.method == Method::bounded)
+        return leversForTolerance(settings.bounded.tolerance);
+    LeverTable table = leversForDt(settings.step.dt);
+    if (settings.method == Method::reference)
+        table.erase(table.begin());
+    return table;
+}
+
+RenderSettings withLevers(RenderSettings settings, const FrameLevers& levers)
+{
+    settings.bounded.tolerance = static_cast<float>(levers.tolerance);
+    settings.step.dt = static_cast<float>(levers.dt);
+    return settings;
+}
+
+View scaledView(const View& view, int eighths)
+{
+    if (eighths >= 8 || view.sceneDepth || view.window.width <= 0 || view.window.height <= 0)
+        return view;
+    const vec3d right = view.lowerRight - view.lowerLeft, up = view.upperRight - view.lowerRight;
+    const auto at = [&](int x, int y) {
+        return view.lowerLeft + right * (double(x) / view.screenWidth) + up * (double(y) / view.screenHeight);
+    };
+    const PixelRect& w = view.window;
+    View result = view;
+    result.lowerLeft = at(w.x, w.y);
+    result.lowerRight = at(w.x + w.width, w.y);
+    result.upperRight = at(w.x + w.width, w.y + w.height);
+    result.clipFromWorld = windowFromScreen(view) * view.clipFromWorld;
+    result.screenWidth = scaled(w.width, eighths);
+    result.screenHeight = scaled(w.height, eighths);
+    result.window = {0, 0, result.screenWidth, result.screenHeight};
+    return result;
+}
+
+std::vector<View> scaledViews(std::span<const View> views, const FrameLevers& levers)
+{
+    std::vector<View> result;
+    for (const View& view : views)
+        result.push_back(scaledView(view, levers.imageEighths));
+    return result;
+}
+
+double pixelsOf(std::span<const View> views)
+{
+    double pixels = 0.0;
+    for (const View& view : views)
+        pixels += double(view.window.width) * view.window.height;
+    return pixels;
+}
+
+} // namespace brickwall
