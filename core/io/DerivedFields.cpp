@@ -5,7 +5,9 @@
 #include "brickwall/core/io/EmptyCells.h"
 #include "brickwall/core/io/ExpressionScanner.h"
 #include "brickwall/core/io/FieldNames.h"
+#include "brickwall/core/io/FlowTerms.h"
 #include "brickwall/core/io/VectorFields.h"
+#include "brickwall/core/model/Differentiate.h"
 
 #include <fmt/format.h>
 
@@ -46,6 +48,20 @@ DerivedField magnitudeOf(const VectorFields& vector, const std::string& place)
     return {vector.magnitude(), text, Expression(text, begin, place)};
 }
 
+/// A definition, and what its calls are of in these data.
+struct Definition : DerivedField
+{
+    std::vector<FlowTerm> terms;
+
+    std::vector<std::string> usedNames() const
+    {
+        std::vector<std::string> names = expression.names();
+        for (const FlowTerm& term : terms)
+            names.insert(names.end(), term.fields.begin(), term.fields.end());
+        return names;
+    }
+};
+
 /// "the cell at voxel (8,0,16) of level 1"
 std::string describeCell(std::span<const Brick> bricks, std::uint64_t slot)
 {
@@ -70,12 +86,13 @@ public:
                                std::ranges::any_of(definitions, [&](const auto& d) { return d.name == name; });
             if (!taken && !contains(knownNames(), name) &&
                 std::none_of(name.begin(), name.end(), [](char c) { return c == '`'; }))
-                definitions_.push_back(magnitudeOf(vector, place_));
+                definitions_.push_back({magnitudeOf(vector, place_), {}});
         }
         magnitudes_ = definitions_.size();
         for (DerivedField& definition : definitions) {
             check(definition);
-            definitions_.push_back(std::move(definition));
+            std::vector<FlowTerm> terms = flowTerms(definition.expression, definition.text, knownNames(), place_);
+            definitions_.push_back({std::move(definition), std::move(terms)});
         }
     }
 
@@ -96,19 +113,20 @@ public:
         fieldIndices(knownNames(), fields, place_);
         const Needed needed = neededFor(fields);
         Model model = stored_->load(needed.stored, executor, progress, nonFinite);
+        const std::size_t said = model.notes.size();
         for (const std::size_t d : needed.definitions) {
+            if (nonFinite == NonFinite::empty && !definitions_[d].terms.empty())
+                leaveOutNonFinite(model, place_, executor, progress); // no neighbours to take differences with
             Field field = evaluate(definitions_[d], model, nonFinite, executor, progress);
             if (d < magnitudes_)
                 field.unit = fieldNamed(model, definitions_[d].expression.names().front()).unit;
             model.fields.push_back(std::move(field));
         }
         order(model, fields);
-        if (nonFinite == NonFinite::empty && !needed.definitions.empty()) {
-            const std::size_t said = model.notes.size();
+        if (nonFinite == NonFinite::empty && !needed.definitions.empty())
             leaveOutNonFinite(model, place_, executor, progress);
-            for (std::size_t n = said; n < model.notes.size(); ++n)
-                progress.note(model.notes[n]);
-        }
+        for (std::size_t n = said; n < model.notes.size(); ++n)
+            progress.note(model.notes[n]);
         return model;
     }
 
@@ -122,7 +140,7 @@ private:
     std::vector<std::string> knownNames() const
     {
         std::vector<std::string> names = storedNames_;
-        for (const DerivedField& definition : definitions_)
+        for (const Definition& definition : definitions_)
             names.push_back(definition.name);
         return names;
     }
@@ -151,7 +169,7 @@ private:
             if (!contains(names, definitions_[d].name))
                 continue;
             needed.definitions.insert(needed.definitions.begin(), d);
-            const std::vector<std::string>& used = definitions_[d].expression.names();
+            const std::vector<std::string> used = definitions_[d].usedNames();
             names.insert(names.end(), used.begin(), used.end());
         }
         for (const std::string& name : names)
@@ -160,14 +178,42 @@ private:
         return needed;
     }
 
-    Field evaluate(const DerivedField& definition, const Model& model, NonFinite nonFinite, const Executor& executor,
+    static std::vector<float> valuesOf(const FlowTerm& term, const Model& model, const Executor& executor,
+                                       Progress& progress)
+    {
+        std::vector<std::span<const float>> fields;
+        for (const std::string& name : term.fields)
+            fields.push_back(fieldNamed(model, name).values);
+        progress.begin(fmt::format("differentiating {}", fmt::join(term.fields, " ")), model.cellCount);
+        return differentiate(term.op, model.bricks, fields, model.worldFromVoxel, executor, progress);
+    }
+
+    Field evaluate(const Definition& definition, const Model& model, NonFinite nonFinite, const Executor& executor,
                    Progress& progress) const
     {
-        std::vector<std::span<const float>> inputs;
-        for (const std::string& name : definition.expression.names())
-            inputs.push_back(fieldNamed(model, name).values);
+        std::vector<std::vector<float>> terms;
+        for (const FlowTerm& term : definition.terms)
+            terms.push_back(valuesOf(term, model, executor, progress));
         Field field;
         field.name = definition.name;
+        if (definition.expression.isOneCall())
+            field.values = std::move(terms[0]);
+        else
+            compute(field, definition.expression, terms, model, executor, progress);
+        progress.end();
+        if (nonFinite == NonFinite::error)
+            checkFinite(definition, field, model);
+        field.range = rangeOf(field.values);
+        return field;
+    }
+
+    static void compute(Field& field, const Expression& expression, const std::vector<std::vector<float>>& terms,
+                        const Model& model, const Executor& executor, Progress& progress)
+    {
+        std::vector<std::span<const float>> inputs;
+        for (const std::string& name : expression.names())
+            inputs.push_back(fieldNamed(model, name).values);
+        inputs.insert(inputs.end(), terms.begin(), terms.end());
         field.values.resize(model.cellCount);
         progress.begin(fmt::format("evaluating {}", field.name), model.cellCount);
         executor.forEach(model.cellCount, grain, [&](std::size_t begin, std::size_t end) {
@@ -177,15 +223,10 @@ private:
                 std::vector<std::span<const float>> parts;
                 for (const auto& input : inputs)
                     parts.push_back(input.subspan(i, n));
-                definition.expression.evaluate(parts, std::span(field.values).subspan(i, n));
+                expression.evaluate(parts, std::span(field.values).subspan(i, n));
                 progress.advance(n);
             }
         });
-        progress.end();
-        if (nonFinite == NonFinite::error)
-            checkFinite(definition, field, model);
-        field.range = rangeOf(field.values);
-        return field;
     }
 
     void checkFinite(const DerivedField& definition, const Field& field, const Model& model) const
@@ -213,7 +254,7 @@ private:
     std::unique_ptr<DataSet> stored_;
     std::vector<std::string> storedNames_;
     std::string place_;
-    std::vector<DerivedField> definitions_; ///< magnitudes, then those of the user
+    std::vector<Definition> definitions_; ///< magnitudes, then those of the user
     std::size_t magnitudes_ = 0;
 };
 

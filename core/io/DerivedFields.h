@@ -25,8 +25,9 @@ std::vector<DerivedField> parseDerivedFields(std::span<const std::string> defini
 
 /// A data set with more fields: those that are defined, behind its own in the list of names; and the magnitudes of the
 /// vectors among its own fields (VectorFields.h), which are loaded by name and not listed. A definition may use stored
-/// fields, magnitudes, and definitions before it. Only stored fields that are needed are read; values are computed cell
-/// by cell, in parallel. Cells where a result is not finite are treated as those where a stored value is not.
+/// fields, magnitudes, and definitions before it, and vectors whose components are among those. Only stored fields that
+/// are needed are read; values are computed cell by cell, in parallel. Cells where a result is not finite are treated
+/// as those where a stored value is not; differences are taken as if they were not there.
 ///
 /// Throws TextError at `place` for a name that a definition uses and nobody has, Error for one that the data have
 /// already.

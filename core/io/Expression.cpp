@@ -16,15 +16,15 @@
 namespace brickwall {
 namespace {
 
-/// A parser whose variables f0_, f1_, ... are these numbers.
-mu::Parser parserOf(const std::string& formula, std::vector<double>& variables)
+/// A parser whose variables f0_, f1_, ..., of which there are `names`, and then d0_, d1_, ... are these numbers.
+mu::Parser parserOf(const std::string& formula, std::size_t names, std::vector<double>& variables)
 {
     mu::Parser parser;
     parser.DefineConst("_pi", std::numbers::pi); // muparser's own have 13 digits
     parser.DefineConst("_e", std::numbers::e);
     parser.DefineFun("pow", [](double base, double exponent) { return std::pow(base, exponent); });
     for (std::size_t i = 0; i < variables.size(); ++i)
-        parser.DefineVar(fmt::format("f{}_", i), &variables[i]);
+        parser.DefineVar(i < names ? fmt::format("f{}_", i) : fmt::format("d{}_", i - names), &variables[i]);
     parser.SetExpr(formula);
     return parser;
 }
@@ -77,21 +77,29 @@ std::size_t placeOf(const mu::ParserError& error, const ScannedExpression& scann
 Expression::Expression(std::string_view text, std::size_t begin, const std::string& place)
 {
     ScannedExpression scanned = scanExpression(text, begin, place);
-    std::vector<double> variables(scanned.names.size(), 1.0);
+    std::vector<double> variables(scanned.names.size() + scanned.calls.size(), 1.0);
     try {
-        parserOf(scanned.formula, variables).Eval();
+        parserOf(scanned.formula, scanned.names.size(), variables).Eval();
     } catch (const mu::ParserError& error) {
         throw TextError(place, messageOf(error), text, placeOf(error, scanned));
     }
     formula_ = std::move(scanned.formula);
     names_ = std::move(scanned.names);
     positions_ = std::move(scanned.positions);
+    calls_ = std::move(scanned.calls);
+}
+
+bool Expression::isOneCall() const
+{
+    constexpr const char* blanks = " \t\r\n";
+    const std::size_t begin = formula_.find_first_not_of(blanks), end = formula_.find_last_not_of(blanks) + 1;
+    return formula_.substr(begin, end - begin) == "d0_";
 }
 
 void Expression::evaluate(std::span<const std::span<const float>> inputs, std::span<float> out) const
 {
-    std::vector<double> variables(names_.size(), 1.0);
-    const mu::Parser parser = parserOf(formula_, variables); // of this thread alone
+    std::vector<double> variables(names_.size() + calls_.size(), 1.0);
+    const mu::Parser parser = parserOf(formula_, names_.size(), variables); // of this thread alone
     for (std::size_t i = 0; i < out.size(); ++i) {
         for (std::size_t v = 0; v < variables.size(); ++v)
             variables[v] = inputs[v][i];

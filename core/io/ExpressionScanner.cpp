@@ -93,8 +93,11 @@ private:
         const std::string_view name = text_.substr(at_, end - at_);
         const std::size_t next = text_.find_first_not_of(blanks, end);
         if (next != std::string_view::npos && text_[next] == '(') {
+            if (const auto op = flowOperatorNamed(name))
+                return call(*op, next);
             if (std::find(functions.begin(), functions.end(), name) == functions.end())
-                fail(fmt::format("there is no function {}; there are {}", name, fmt::join(functions, " ")));
+                fail(fmt::format("there is no function {}; there are {} {}", name, fmt::join(functions, " "),
+                                 fmt::join(flowOperatorNames, " ")));
             copy(end);
         } else if (name == "_pi" || name == "_e") {
             copy(end);
@@ -115,6 +118,30 @@ private:
         }
         result_.formula += fmt::format("f{}_", index);
         result_.origin.resize(result_.formula.size(), start);
+    }
+
+    /// An operator of derivatives, whose parenthesis is at `open`: of a name alone, as it needs the cells around.
+    void call(FlowOperator op, std::size_t open)
+    {
+        const auto skipBlanks = [&] { at_ = std::min(text_.find_first_not_of(blanks, at_), text_.size()); };
+        const std::size_t start = at_;
+        at_ = open + 1;
+        skipBlanks();
+        const std::string_view expected = componentsOf(op) == 3 ? "the name of a vector" : "the name of a field";
+        if (at_ == text_.size() || !(isLetter(text_[at_]) || isQuote(text_[at_])))
+            fail(fmt::format("expected {}", expected));
+        const std::size_t position = at_;
+        const FlowCall call{op, scanName(text_, at_, place_), position};
+        skipBlanks();
+        if (at_ == text_.size() || text_[at_] != ')')
+            fail(fmt::format("expected ) behind {}; what is computed needs a name first, by a definition of its own",
+                             expected));
+        ++at_;
+        const auto known = std::find(result_.calls.begin(), result_.calls.end(), call);
+        result_.formula += fmt::format("d{}_", known - result_.calls.begin());
+        result_.origin.resize(result_.formula.size(), start);
+        if (known == result_.calls.end())
+            result_.calls.push_back(call);
     }
 
     void symbol(char c)

@@ -1,6 +1,8 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "brickwall/core/io/Expression.h"
+
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -19,6 +21,7 @@ struct ScannedExpression
     std::vector<std::size_t> origin; ///< for each byte of the formula and its end: the byte of the text
     std::vector<std::string> names;
     std::vector<std::size_t> positions; ///< of the names' first use, in the text
+    std::vector<FlowCall> calls;
 };
 
 /// Takes apart what `text` has from byte `begin` on. Throws TextError at `place` for what muparser would take, but

@@ -228,6 +228,95 @@ TEST(DerivedFields, CanBeStopped)
     EXPECT_THROW(set->load(Texts{"a"}, Executor(2), stopped), Cancelled);
 }
 
+TEST(FlowTerms, AreDerivativesOfVectorsAndFields)
+{
+    // (x, y^2, -z): divergence 2 y, Q of the diagonal gradient, no vorticity.
+    const Model model = loadDerived(writeVelocity(),
+                                    {"q = qcriterion(vel)", "d = divergence( 'vel' )", "w = vorticity_magnitude(vel)",
+                                     "l = lambda2(vel)", "g = gradient_magnitude(vely)"},
+                                    {"q", "d", "w", "l", "g", "vely"});
+    for (std::uint64_t i = 0; i < model.cellCount; ++i) {
+        const auto value = [&](int field) { return model.fields[std::size_t(field)].values[i]; };
+        const float y = std::sqrt(value(5));
+        EXPECT_NEAR(value(0), -1.0f - 2.0f * y * y, 1e-3f * y * y + 1e-4f);
+        EXPECT_NEAR(value(1), 2.0f * y, 1e-3f);
+        EXPECT_NEAR(value(2), 0.0f, 1e-3f);
+        EXPECT_NEAR(value(3), std::min(4.0f * y * y, 1.0f), 2e-3f); // eigenvalues 1, 1 and 4 y^2, the middle one
+        EXPECT_NEAR(value(4), 2.0f * y, 1e-3f);
+    }
+    EXPECT_EQ(model.fields[0].range, rangeOf(model.fields[0].values));
+}
+
+TEST(FlowTerms, StandInExpressionsLikeValues)
+{
+    const Model model = loadDerived(writeVelocity(),
+                                    {"q = qcriterion(vel)", "a = -2 * qcriterion(vel) + dens/qcriterion(vel)",
+                                     "b = ( gradient_magnitude(dens)^divergence(vel) )", "d = divergence(vel)"},
+                                    {"q", "a", "b", "dens", "d"});
+    for (std::uint64_t i = 0; i < model.cellCount; ++i) {
+        const double q = model.fields[0].values[i], dens = model.fields[3].values[i];
+        EXPECT_EQ(model.fields[1].values[i], static_cast<float>(-2 * q + dens / q));
+        EXPECT_NEAR(model.fields[2].values[i], 1.0f, 1e-2f);
+    }
+}
+
+TEST(FlowTerms, TakeDefinitionsBeforeThemAlsoAsVectors)
+{
+    const std::string data = writeVelocity();
+    const Model model = loadDerived(data,
+                                    {"m_x = 2 * velx", "m_y = 2 * vely", "m_z = 2 * velz", "twice = divergence(m)",
+                                     "once = divergence(vel)", "speed = vel_magnitude", "g = gradient_magnitude(speed)",
+                                     "h = gradient_magnitude(vel_magnitude)"},
+                                    {"twice", "once", "g", "h"});
+    for (std::uint64_t i = 0; i < model.cellCount; ++i)
+        EXPECT_NEAR(model.fields[0].values[i], 2.0f * model.fields[1].values[i], 1e-4f);
+    EXPECT_EQ(model.fields[2].values, model.fields[3].values);
+    EXPECT_GT(model.fields[2].range.hi, 1.0f);
+}
+
+TEST(FlowTerms, ThatCannotBeUnderstoodArePointedAt)
+{
+    expectRefused("q = qcriterion()", 15, "expected the name of a vector");
+    expectRefused("q = 1 + qcriterion(vel * 2)", 23, "expected ) behind the name of a vector");
+    expectRefused("q = gradient_magnitude(sqrt(dens))", 27, "expected ) behind the name of a field; what is computed");
+    expectRefused("q = lambda2(vel", 15, "expected ) behind");
+    expectRefused("q = lambda2('vel)", 12, "expected a closing quote");
+    expectRefused("q = lambda2(vel) vel", 17, "expected an operator before");
+    const std::string data = writeVelocity();
+    const TextError scalar = refusal("a = 1 + qcriterion(dens)", data);
+    EXPECT_TRUE(says(scalar.what(), {"t.exa: there is no vector 'dens' for qcriterion", "those there are: vel"}));
+    EXPECT_EQ(scalar.excerpt(), "a = 1 + qcriterion(dens)\n" + std::string(19, ' ') + "^");
+    EXPECT_TRUE(says(refusal("a = gradient_magnitude(vel)", data).what(), {"no field 'vel', which is a vector"}));
+    EXPECT_TRUE(says(refusal("a = gradient_magnitude(a)", data).what(), {"no field 'a'"}));
+    const std::string scalars = writeData({{"dens", [](const vec3d& p) { return p.x; }}});
+    EXPECT_TRUE(says(refusal("q = qcriterion(velocity)", scalars).what(), {"no three fields have names such as"}));
+}
+
+TEST(FlowTerms, SeeHolesWhereAValueIsNotFinite)
+{
+    // 1 / (x - 1) has no value in the cells at x = 0 of level 1; those beside have neighbours on one side alone.
+    const std::string data = writeVelocity();
+    const Texts definitions{"inverse = 1 / (velx - 1)", "g = gradient_magnitude(inverse)",
+                            "x = gradient_magnitude(velx)"};
+    EXPECT_TRUE(says(errorOf([&] { loadDerived(data, definitions, {"g"}); }), {"found inf in field 'inverse'"}));
+    const Model model = loadDerived(data, definitions, {"g", "x"}, 2, NonFinite::empty);
+    EXPECT_EQ(model.cellCount, 576u - 16u);
+    EXPECT_EQ(model.notes.size(), 1u);
+    for (const float slope : model.fields[1].values)
+        EXPECT_NEAR(slope, 1.0f, 1e-4f);
+}
+
+TEST(FlowTerms, AreInTheUnitsOfTheWorld)
+{
+    const std::string sphere = BRICKWALL_SOURCE_DIR "/../shared/data/amrex/sphere_laminar_3lev_plt00360";
+    if (!std::filesystem::exists(sphere))
+        GTEST_SKIP() << "no sample data in " << sphere;
+    const Model model = loadDerived(sphere, {"w = vorticity_magnitude(velocity)"}, {"w", "x_velocity"});
+    // About the change of the velocity over the boundary layer, some cells of 1/16 cm.
+    EXPECT_GT(model.fields[0].range.hi, 0.5f * model.fields[1].range.hi / 0.0625f);
+    EXPECT_LT(model.fields[0].range.hi, 3.0f * model.fields[1].range.hi / 0.0625f);
+}
+
 TEST(VectorFields, AreRecognisedByTheirNames)
 {
     const auto vectorIn = [](const Texts& names) {
