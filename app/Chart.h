@@ -22,6 +22,7 @@ struct ChartPlan
     std::vector<View> views; ///< with different names
     std::vector<ChartPoint> points;
     Shading shading = Shading::headlight;
+    LodConfig lod; ///< of all methods but the reference
     int repetitions = 5;
     double slowMilliseconds = 0.0; ///< what takes longer than this per frame is measured once
 };
@@ -58,7 +59,7 @@ bool isBeyondTolerance(const ChartRow& row);
 /// The settings of a point. The opacity at which stepping ends a ray is that of `render` at dt = 0.5 and above; below,
 /// what is left of the ray shrinks with dt^2, as the midpoint rule's error does, so that a chart shows the error of the
 /// steps and not of the early end.
-RenderSettings settingsOf(const ChartPoint& point, Shading shading);
+RenderSettings settingsOf(const ChartPoint& point, const ChartPlan& plan);
 
 /// Renders the reference once per view, then all points in turn, again and again, so that a drift of the machine hits
 /// all alike. Throws Cancelled.

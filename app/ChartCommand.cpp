@@ -117,6 +117,7 @@ int drawChart(const Options& options)
     chart.plan.repetitions = options.repeat;
     chart.plan.slowMilliseconds = 1e3 * options.slowSeconds;
     chart.plan.shading = renderSettings(options.scene).shading;
+    chart.plan.lod = renderSettings(options.scene).lod;
     const ViewsForBounds viewsForBounds = chartViews(options.views);
     makeOutputFolder(options.out);
 
@@ -148,6 +149,7 @@ void addChartCommand(CLI::App& app, Action& chosen)
     command->add_option("--out", options->out, "the folder for the files")->required();
     addViewOptions(*command, options->views, "WxH of every view (default 256x256, or what the rig or the script says)");
     addSceneOptions(*command, options->scene);
+    addLodOption(*command, options->scene);
     const auto addList = [&](const char* name, auto& list, const char* description) {
         command->add_option(name, list, description)->delimiter(',')->allow_extra_args(false);
     };

@@ -104,11 +104,12 @@ bool isBeyondTolerance(const ChartRow& row)
     return row.point.method == Method::bounded && !(row.maxError <= row.point.parameter);
 }
 
-RenderSettings settingsOf(const ChartPoint& point, Shading shading)
+RenderSettings settingsOf(const ChartPoint& point, const ChartPlan& plan)
 {
     RenderSettings settings;
     settings.method = point.method;
-    settings.shading = shading;
+    settings.shading = plan.shading;
+    settings.lod = plan.lod;
     if (point.method == Method::bounded)
         settings.bounded.tolerance = static_cast<float>(point.parameter);
     if (takesSteps(point.method)) {
@@ -127,7 +128,7 @@ std::vector<ChartRow> measureChart(const Renderer& renderer, const ChartPlan& pl
     std::vector<ChartRow> referenceRows;
     for (const View& view : plan.views) {
         const ChartPoint point{Method::reference, 0.0};
-        TimedFrame timed = renderTimed(renderer, view, settingsOf(point, plan.shading), progress);
+        TimedFrame timed = renderTimed(renderer, view, settingsOf(point, plan), progress);
         referenceRows.push_back(rowOf(point, timed, timed.frame));
         referenceRows.back().milliseconds.push_back(timed.milliseconds);
         references.push_back(std::move(timed.frame));
@@ -145,8 +146,7 @@ std::vector<ChartRow> measureChart(const Renderer& renderer, const ChartPlan& pl
                 if (repetition > 0 && row.milliseconds.front() > plan.slowMilliseconds)
                     continue;
                 const ChartPoint& point = plan.points[i];
-                const TimedFrame timed =
-                    renderTimed(renderer, plan.views[v], settingsOf(point, plan.shading), progress);
+                const TimedFrame timed = renderTimed(renderer, plan.views[v], settingsOf(point, plan), progress);
                 if (repetition == 0) // the same bits every time
                     row = rowOf(point, timed, references[v]);
                 row.milliseconds.push_back(timed.milliseconds);

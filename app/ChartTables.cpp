@@ -107,6 +107,7 @@ void writeChartJson(const std::string& path, const Chart& chart, const PreparedS
                          {"scale", tf.scale == Scale::linear ? "linear" : "log"},
                          {"opacity_scale", tf.opacityScale}}},
                        {"surfaces", surfaces},
+                       {"lod", chart.plan.lod.cellPixels},
                        {"shading", chart.plan.shading == Shading::off ? "off" : "headlight"},
                        {"repeat", chart.plan.repetitions},
                        {"slow_seconds", chart.plan.slowMilliseconds / 1e3},

@@ -2,6 +2,7 @@
 #include "Commands.h"
 #include "Folder.h"
 #include "RenderViews.h"
+#include "ShowPictures.h"
 #include "Statistics.h"
 #include "TerminalProgress.h"
 
@@ -10,6 +11,7 @@
 #include "brickwall/core/render/Legend.h"
 #include "brickwall/core/scene/SceneArguments.h"
 #include "brickwall/core/scene/SceneSetup.h"
+#include "brickwall/core/scene/StreamlineOptions.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -18,6 +20,7 @@
 #include <cctype>
 #include <filesystem>
 #include <utility>
+#include <vector>
 
 namespace brickwall {
 namespace {
@@ -25,10 +28,12 @@ namespace {
 struct Options
 {
     SceneOptions scene;
+    StreamlineOptions streamlines;
     ViewOptions views;
     std::string out;
     std::vector<std::string> formats{"png"};
     bool legend = false;
+    std::string show; ///< one of showNames, or empty
     int repeat = 1;
     std::string stats;
 };
@@ -85,13 +90,35 @@ void writeFrame(const Frame& frame, const Options& options, const PreparedScene&
     }
 }
 
+/// In place of the colours, how they came about.
+void writeShown(const Renderer& renderer, const View& view, const Options& options, const Executor& executor,
+                Progress& progress, const std::string& stem)
+{
+    const auto name = std::find(showNames.begin(), showNames.end(), options.show);
+    const ShownView shown = showView(renderer, view, renderSettings(options.scene),
+                                     static_cast<Show>(name - showNames.begin()), executor, progress);
+    const std::string path = stem + "-" + options.show;
+    for (const std::string& format : options.formats) {
+        if (format == "exr") {
+            writeExr(shown.numbers, path + ".exr");
+            continue;
+        }
+        Image image = imageOver(shown.colors, vec3f(0.0f));
+        if (options.legend)
+            drawLegend(image, shown.scale, shown.title, "");
+        writePng(image, path + ".png");
+    }
+    fmt::print("{}: {} up to {:.4g}, {:.4g} on average\n", view.name, shown.title, shown.scale.range.hi, shown.mean);
+}
+
 int render(const Options& options)
 {
     const ViewsForBounds viewsForBounds = readViews(options.views);
     checkOutputs(options);
     TerminalProgress progress;
     const Executor executor(options.scene.threads);
-    const PreparedScene prepared = prepareScene(options.scene, executor, progress);
+    auto tubes = streamlineTubes(options.scene, options.streamlines, executor, progress);
+    const PreparedScene prepared = prepareScene(options.scene, executor, progress, std::move(tubes));
     const ViewsToRender toRender = viewsForBounds(prepared.bounds, progress);
     const std::vector<std::string> stems = fileNames(toRender.views);
     const RenderSettings settings = renderSettings(options.scene);
@@ -110,7 +137,11 @@ int render(const Options& options)
     progress.begin("writing images", frames.size());
     for (std::size_t i = 0; i < frames.size(); ++i) {
         progress.check();
-        writeFrame(frames[i], options, prepared, background, (std::filesystem::path(options.out) / stems[i]).string());
+        const std::string stem = (std::filesystem::path(options.out) / stems[i]).string();
+        if (options.show.empty())
+            writeFrame(frames[i], options, prepared, background, stem);
+        else
+            writeShown(renderer, toRender.views[i], options, executor, progress, stem);
         progress.advance(1);
     }
     progress.end();
@@ -130,16 +161,23 @@ void addRenderCommand(CLI::App& app, Action& chosen)
     command->add_option("--out", options->out, "the folder for the pictures, named after channel and eye")->required();
     addViewOptions(*command, options->views, "WxH of every view (default 1024x1024, or the rig's)");
     addSceneOptions(*command, options->scene);
+    addStreamlineOptions(*command, options->streamlines);
     addBackgroundOption(*command, options->scene);
     addMethodOptions(*command, options->scene);
     command->add_option("--format", options->formats, "png, exr or both: png,exr (default png)")
         ->delimiter(',')
         ->check(CLI::IsMember({"png", "exr"}));
     command->add_flag("--legend", options->legend, "draw the colour bar into the PNG");
+    command
+        ->add_option(
+            "--show", options->show,
+            "instead of the colours, per pixel: cost (samples), regions, levels (the finest) or error (of bounded)")
+        ->check(CLI::IsMember(std::vector<std::string>(showNames.begin(), showNames.end())));
     command->add_option("--repeat", options->repeat, "render N times, for --stats")->check(CLI::Range(1, 100000));
     command->add_option("--stats", options->stats, "write times, samples and bounds to this JSON file");
     command->callback([options, &chosen] {
         checkSceneOptions(options->scene, commandLinePlace);
+        checkStreamlineOptions(options->streamlines, commandLinePlace);
         chosen = [options] { return render(*options); };
     });
 }

@@ -37,6 +37,8 @@ json viewJson(const RenderStatistics& statistics, const RenderSettings& settings
         result["pixels_beyond"] = last.pixelsBeyond;
         result["beyond_because"] = last.beyondBecause;
     }
+    if (settings.lod.cellPixels > 0.0f)
+        result["member_samples"] = last.memberSamples;
     return result;
 }
 
@@ -47,6 +49,7 @@ json methodJson(const RenderSettings& settings)
         method["tolerance"] = settings.bounded.tolerance;
     if (takesSteps(settings.method))
         method["dt"] = settings.step.dt;
+    method["lod"] = settings.lod.cellPixels;
     return method;
 }
 
@@ -58,6 +61,14 @@ json surfacesJson(const std::vector<IsoSurface>& surfaces)
     return values;
 }
 
+json pyramidJson(const Scene& scene)
+{
+    json members = json::array();
+    for (const SceneMember& member : scene.pyramid)
+        members.push_back({{"level", member.level}, {"regions", member.regions->regions.size()}});
+    return members;
+}
+
 /// The last repetition of all views.
 ViewStatistics sumOf(const std::vector<ViewStatistics>& views)
 {
@@ -67,6 +78,9 @@ ViewStatistics sumOf(const std::vector<ViewStatistics>& views)
         sum.surfaceHits += view.surfaceHits;
         sum.largestBound = std::max(sum.largestBound, view.largestBound);
         sum.pixelsBeyond += view.pixelsBeyond;
+        sum.memberSamples.resize(std::max(sum.memberSamples.size(), view.memberSamples.size()));
+        for (std::size_t level = 0; level < view.memberSamples.size(); ++level)
+            sum.memberSamples[level] += view.memberSamples[level];
         if (sum.beyondBecause.empty())
             sum.beyondBecause = view.beyondBecause;
     }
@@ -96,6 +110,7 @@ void writeStatistics(const std::string& path, const RenderStatistics& statistics
                        {"regions", prepared.scene.regions->regions.size()},
                        {"method", methodJson(settings)},
                        {"surfaces", surfacesJson(prepared.scene.surfaces)},
+                       {"pyramid", pyramidJson(prepared.scene)},
                        {"threads", threads},
                        {"lanes", Renderer::lanes()},
                        {"target", Renderer::target()},
@@ -123,9 +138,13 @@ void printSummary(const RenderStatistics& statistics, const RenderSettings& sett
                folder);
     fmt::print("{}", describe(settings));
     if (settings.method == Method::bounded)
-        fmt::print("; error at most {:.3g}", sum.largestBound);
+        fmt::print("; error at most {:.3g}{}", sum.largestBound,
+                   sum.memberSamples.size() > 1 ? " of the data used" : "");
     if (sum.pixelsBeyond > 0)
         fmt::print(", {} pixels beyond the tolerance: {}", sum.pixelsBeyond, sum.beyondBecause);
+    if (settings.lod.cellPixels > 0.0f && samples > 0.0)
+        fmt::print("; cells about {:g} pixels wide, {:.0f} % of the samples in averaged data", settings.lod.cellPixels,
+                   100.0 * (1.0 - double(sum.memberSamples.front()) / samples));
     if (!prepared.scene.surfaces.empty())
         fmt::print("; {} surface hits", sum.surfaceHits);
     fmt::print("\n");

@@ -215,6 +215,7 @@ SceneOptions sceneOf(const Node& node, const std::filesystem::path& folder)
     maybeNumbers(node, "clip_sphere", scene.clipSphere);
     node.maybe("method", scene.method);
     node.maybe("dt", scene.dt);
+    node.maybe("lod", scene.lod);
     const auto placeOf = [&](std::string_view key) { return fmt::format("{}: \"{}\"", node.place(), key); };
     const auto fractionOf = [&](const char* key) {
         return node.at(key).is_string() ? parseNumber(node.get<std::string>(key), placeOf(key)) : node.get<double>(key);
@@ -247,7 +248,7 @@ ViewFile readViewFile(const std::string& path)
          "opacity_scale", "shading",     "volume",     "iso",         "iso_color", "iso_opacity",     "mesh",
          "mesh_scale",    "mesh_offset", "mesh_color", "light",       "ambient",   "light_tolerance", "plane",
          "plane_opacity", "clip_plane",  "clip_box",   "clip_sphere", "method",    "tolerance",       "dt",
-         "views"});
+         "lod",           "views"});
     ViewFile file;
     file.path = path;
     file.scene = sceneOf(node, folder);

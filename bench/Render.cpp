@@ -2,7 +2,6 @@
 /// What a picture of a wake behind a ball costs, on one thread. "samples" and "regions" are rates per second of its
 /// processor time, so per core.
 #include "brickwall/core/io/ProceduralSet.h"
-#include "brickwall/core/render/RayTiles.h"
 #include "brickwall/core/render/Renderer.h"
 #include "brickwall/core/simd/Target.h"
 
@@ -109,50 +108,6 @@ void marchOn(benchmark::State& state)
     chooseLaneTarget("");
 }
 BENCHMARK(marchOn)->DenseRange(1, 2)->Unit(benchmark::kMillisecond);
-
-void walk(benchmark::State& state)
-{
-    const Data& data = wake();
-    const View view = viewOf(data, 512);
-    const ViewRays rays(view, data.regions->bounds, data.worldFromVoxel, ClipRegion(), true);
-    TraceScene scene;
-    scene.regions = data.regions.get();
-    scene.nodes = data.regions->nodes;
-    scene.field = data.padded.get();
-    scene.origin = rays.origin();
-    std::uint64_t regions = 0;
-    TilePixels pixels;
-    RayTile tile;
-    for (auto _ : state)
-        for (int y = 0; y < view.window.height; y += TilePixels::width)
-            for (int x = 0; x < view.window.width; x += TilePixels::width) {
-                rays.fill(x, y, pixels, tile);
-                regions += countRegions(scene, tile);
-            }
-    state.counters["regions"] = benchmark::Counter(double(regions), benchmark::Counter::kIsRate);
-}
-BENCHMARK(walk)->Unit(benchmark::kMillisecond);
-
-void regionBuild(benchmark::State& state)
-{
-    const Data& data = wake();
-    Progress silent;
-    for (auto _ : state)
-        benchmark::DoNotOptimize(buildRegions(data.bricks, data.serial, silent));
-    state.counters["bricks"] = double(data.bricks.size());
-    state.counters["regions"] = double(data.regions->regions.size());
-}
-BENCHMARK(regionBuild)->Unit(benchmark::kMillisecond);
-
-void fieldPadding(benchmark::State& state)
-{
-    const Data& data = wake();
-    Progress silent;
-    for (auto _ : state)
-        benchmark::DoNotOptimize(padField(data.field, data.bricks, *data.regions, data.serial, silent));
-    state.counters["cells"] = double(data.field.values.size());
-}
-BENCHMARK(fieldPadding)->Unit(benchmark::kMillisecond);
 
 } // namespace
 } // namespace brickwall

@@ -14,7 +14,7 @@ endif()
 
 # Headers are included as "brickwall/core/base/Box.h", in the source tree as after installation.
 set(brickwall_includes ${CMAKE_BINARY_DIR}/include)
-foreach(folder core channels plugin tests)
+foreach(folder core channels plugin tests bench)
   file(MAKE_DIRECTORY ${brickwall_includes}/brickwall)
   file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR}/${folder} ${brickwall_includes}/brickwall/${folder} SYMBOLIC)
 endforeach()

@@ -82,8 +82,8 @@ void checkView(const View& view)
 
 } // namespace
 
-ViewRays::ViewRays(const View& view, const Box3i& halfBounds, const mat4d& worldFromVoxel, const ClipRegion& region,
-                   bool interleave)
+ViewRays::ViewRays(const View& view, const Box3i& halfBounds, const mat4d& worldFromVoxel, bool interleave,
+                   const ClipRegion& region)
     : view_(view),
       bounds_{0.5 * vec3d(halfBounds.lower), 0.5 * vec3d(halfBounds.upper)},
       region_(region),
@@ -98,6 +98,7 @@ ViewRays::ViewRays(const View& view, const Box3i& halfBounds, const mat4d& world
     up_ = transformVector(voxelFromWorld_, view.upperRight - view.lowerRight);
     if (!finite(eye_))
         throw Error(fmt::format("view '{}'", view.name), "expected worldFromVoxel to be invertible");
+    pixelWidth_ = std::sqrt(glm::length(glm::cross(right_, up_)) / double(view.screenWidth) / view.screenHeight);
     const vec3d nearest = glm::clamp(eye_, bounds_.lower, bounds_.upper);
     origin_ = vec3i(glm::round(2.0 * nearest));
     start_ = std::floor(glm::distance(eye_, nearest));
@@ -154,6 +155,12 @@ void ViewRays::endAt(int ray, double t, const TilePixels& pixels, RayTile& rays)
 {
     const double end = std::max(0.0, tileFromWorld(ray, t, pixels));
     rays.tEnd[ray] = rays.tFar[ray] = std::min(rays.tFar[ray], static_cast<float>(end));
+}
+
+float ViewRays::whereWide(int ray, double width, const TilePixels& pixels) const
+{
+    constexpr double farthest = 1e30; // for floats
+    return static_cast<float>(std::clamp(tileFromWorld(ray, width / pixelWidth_, pixels), 0.0, farthest));
 }
 
 float ViewRays::sceneDepthAt(int ray, const TilePixels& pixels) const

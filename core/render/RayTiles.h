@@ -31,8 +31,8 @@ class ViewRays
 public:
     /// `halfBounds` in half voxels. Throws Error for a view that is not finite, has no pixels, whose eye is not in
     /// front of its screen, or whose SceneDepth does not have its pixels.
-    ViewRays(const View& view, const Box3i& halfBounds, const mat4d& worldFromVoxel, const ClipRegion& region,
-             bool interleave);
+    ViewRays(const View& view, const Box3i& halfBounds, const mat4d& worldFromVoxel, bool interleave,
+             const ClipRegion& region = {});
 
     /// Half voxels; the eye, or the point of the bounds nearest to it: floats are relative to this.
     const vec3i& origin() const { return origin_; }
@@ -57,6 +57,14 @@ public:
     /// The point at `t` along a ray's worldDirection, in voxel space.
     vec3d voxelAt(int ray, double t, const TilePixels& pixels) const;
 
+    /// How many voxels a pixel is wide at that parameter of RayTile.
+    double pixelWidthAt(int ray, double t, const TilePixels& pixels) const
+    {
+        return pixelWidth_ * worldFromTile(ray, t, pixels); // at 1 of worldDirection it is on the screen
+    }
+    /// The parameter of RayTile where a pixel is `width` voxels wide; 0 where it is wider already.
+    float whereWide(int ray, double width, const TilePixels& pixels) const;
+
     /// Where a ray meets the view's SceneDepth, along its worldDirection; infinite where nothing is there. Never
     /// negative.
     double sceneAt(int ray, const TilePixels& pixels) const;
@@ -80,6 +88,7 @@ private:
     vec3d up_;
     vec3i origin_;
     double voxelWidth_;  ///< world space, the mean
+    double pixelWidth_;  ///< of a pixel on the screen, in voxels: the root of its area
     double start_ = 0.0; ///< distance from the eye at which the rays' parameters start: no data is nearer
 };
 

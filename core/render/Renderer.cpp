@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <mutex>
@@ -25,14 +26,30 @@ using Clock = std::chrono::steady_clock;
 /// Entries at t = i / 1016: the 128 points of an ExaBrick transfer function, at k / 127, fall on every eighth.
 constexpr int tableSize = 8 * 127 + 1;
 
+void checkData(const RegionTree* regions, const PaddedField* field)
+{
+    if (!regions || !field)
+        throw Error("scene", "expected regions and a field, found none");
+    if (field->values.size() != regions->paddedCellCount || field->regionRanges.size() != regions->regions.size())
+        throw Error("scene", "the field belongs to other regions: pad it for these");
+    checkBrickSizes(*regions);
+}
+
 void checkScene(const Scene& scene)
 {
-    if (!scene.regions || !scene.field)
-        throw Error("scene", "expected regions and a field, found none");
-    if (scene.field->values.size() != scene.regions->paddedCellCount ||
-        scene.field->regionRanges.size() != scene.regions->regions.size())
-        throw Error("scene", "the field belongs to other regions: pad it for these");
-    checkBrickSizes(*scene.regions);
+    checkData(scene.regions.get(), scene.field.get());
+    int last = 0;
+    for (const SceneMember& member : scene.pyramid) {
+        checkData(member.regions.get(), member.field.get());
+        if (member.level <= std::exchange(last, member.level) || member.level > maxLevel)
+            throw Error("scene", "expected members of a pyramid with levels above 0 in ascending order");
+    }
+}
+
+void checkLod(const LodConfig& config)
+{
+    if (!(config.cellPixels >= 0.0f) || !std::isfinite(config.cellPixels))
+        throw Error("lod", fmt::format("expected a finite number of 0 or more, found {:g}", config.cellPixels));
 }
 
 /// Ray parameters are floats: steps have to be more than their rounding, or a ray would stand still.
@@ -151,6 +168,8 @@ ViewStatistics statisticsOf(const View& view, const Counters& counters, std::uin
     s.surfaceHits = c.surfaceHits;
     s.largestBound = c.largestBound;
     s.pixelsBeyond = c.pixelsBeyond;
+    const auto used = std::find_if(c.memberSamples.rbegin(), c.memberSamples.rend(), [](auto n) { return n > 0; });
+    s.memberSamples.assign(c.memberSamples.begin(), std::max(used.base(), c.memberSamples.begin() + 1));
     if (c.pixelsBeyond > 0)
         s.beyondBecause = fmt::format("their own estimate of the error is above {:g}, where rounding of 32-bit floats "
                                       "decides (rays that touch thin shells) or parts could not be split any further",
@@ -166,20 +185,45 @@ struct Renderer::State
     const Executor& executor;
     TransferTable table;
     TransferIntegral integral;
-    std::vector<RegionBounds> bounds;
-    std::vector<KdNode> nodes; ///< of the tree, without what the transfer function hides
+    /// Of the data, or of a member of the pyramid.
+    struct Visible
+    {
+        std::vector<RegionBounds> bounds;
+        std::vector<KdNode> nodes; ///< of the tree, without what the transfer function hides
+    };
+    Visible visible;
+    std::vector<Visible> pyramid; ///< one per member
     std::vector<KdNode> surfaceNodes;
+
+    TraceScene volume(const RegionTree& regions, const PaddedField& field, const Visible& itsVisible) const
+    {
+        TraceScene s;
+        s.regions = &regions;
+        s.nodes = itsVisible.nodes;
+        s.field = &field;
+        s.table = &table;
+        s.integral = &integral;
+        s.regionBounds = itsVisible.bounds;
+        s.gradientMetric = toFloat(gradientMetric(scene.worldFromVoxel));
+        return s;
+    }
+
+    Visible visibleOf(const RegionTree& regions, const PaddedField& field) const
+    {
+        Visible v;
+        v.bounds = regionBounds(field, integral, executor);
+        v.nodes = visibleNodes(regions, v.bounds, executor);
+        return v;
+    }
 
     TileScene tileScene() const
     {
         TileScene s;
-        s.volume.regions = scene.regions.get();
-        s.volume.nodes = nodes;
-        s.volume.field = scene.field.get();
-        s.volume.table = &table;
-        s.volume.integral = &integral;
-        s.volume.regionBounds = bounds;
-        s.volume.gradientMetric = toFloat(gradientMetric(scene.worldFromVoxel));
+        s.volume = volume(*scene.regions, *scene.field, visible);
+        for (std::size_t i = 0; i < scene.pyramid.size(); ++i) {
+            const SceneMember& member = scene.pyramid[i];
+            s.pyramid.push_back({member.level, volume(*member.regions, *member.field, pyramid[i])});
+        }
         s.surfaces = scene.surfaces;
         s.surfaceNodes = surfaceNodes;
         s.planes = scene.planes;
@@ -227,8 +271,10 @@ void Renderer::setTransferFunction(const TransferFunction& transferFunction)
     const Scene& scene = state_->scene;
     TransferTable table = tabulate(transferFunction, tableSize);
     state_->integral = integrate(transferFunction);
-    state_->bounds = regionBounds(*scene.field, state_->integral, state_->executor);
-    state_->nodes = visibleNodes(*scene.regions, state_->bounds, state_->executor);
+    state_->visible = state_->visibleOf(*scene.regions, *scene.field);
+    state_->pyramid.clear();
+    for (const SceneMember& member : scene.pyramid)
+        state_->pyramid.push_back(state_->visibleOf(*member.regions, *member.field));
     state_->table = std::move(table);
     state_->scene.transferFunction = transferFunction;
 }
@@ -269,6 +315,7 @@ std::vector<Frame> Renderer::render(std::span<const View> views, const RenderSet
     checkTolerance(settings.bounded);
     if (settings.light)
         checkLight(*settings.light);
+    checkLod(settings.lod);
     const std::optional<ReferenceIntegrator> reference = state_->reference(settings);
     TileScene tileScene = state_->tileScene();
     tileScene.reference = reference ? &*reference : nullptr;
@@ -276,7 +323,7 @@ std::vector<Frame> Renderer::render(std::span<const View> views, const RenderSet
     std::vector<Frame> frames;
     for (const View& view : views) {
         renderers.emplace_back(
-            ViewRays(view, scene.regions->bounds, scene.worldFromVoxel, scene.clip, settings.step.interleave),
+            ViewRays(view, scene.regions->bounds, scene.worldFromVoxel, settings.step.interleave, scene.clip),
             tileScene, settings);
         frames.push_back(emptyFrame(view));
     }

@@ -53,14 +53,32 @@ struct StepConfig
     float terminationOpacity = 0.998f; ///< a ray ends when it is this opaque
 };
 
+/// How coarse the data may be that are far away (Scene::pyramid).
+struct LodConfig
+{
+    /// At each distance rays use data whose cells are about so many pixels wide there (between 0.6 and 1.7 times), with
+    /// a gradual change over half an octave of distance, so that nothing pops; 0: the data themselves everywhere.
+    /// Isosurfaces, and the method reference, always use the data themselves.
+    float cellPixels = 0.0f;
+};
+
 struct RenderSettings
 {
     Method method = Method::bounded;
     BoundedConfig bounded;
     StepConfig step;
+    LodConfig lod;
     Shading shading = Shading::headlight;
     /// Of all methods; without it nothing has a shadow. The methods' own errors are those of the picture without it.
     std::optional<Light> light;
+};
+
+/// The data of a scene with all cells finer than `level` averaged into cells of that level (core/model/Pyramid.h).
+struct SceneMember
+{
+    int level = 0;
+    std::shared_ptr<const RegionTree> regions;
+    std::shared_ptr<const PaddedField> field;
 };
 
 /// What is rendered. Immutable parts are shared, so that a scene with another transfer function costs nothing.
@@ -69,14 +87,15 @@ struct Scene
     std::shared_ptr<const RegionTree> regions;
     std::shared_ptr<const PaddedField> field;
     std::shared_ptr<const TriangleScene> triangles; ///< opaque; may be null
-    /// Opaque triangles that are drawn elsewhere, and not here: rays end there like at a view's SceneDepth, and shadows
-    /// are cast. May be null.
-    std::shared_ptr<const TriangleScene> occluders;
     TransferFunction transferFunction;
     mat4d worldFromVoxel{1.0};
-    std::vector<IsoSurface> surfaces; ///< in any order
-    std::vector<ContourPlane> planes; ///< likewise
-    ClipRegion clip;
+    std::vector<IsoSurface> surfaces;      ///< in any order
+    std::vector<SceneMember> pyramid = {}; ///< ascending by level; used as far as LodConfig says
+    std::vector<ContourPlane> planes = {}; ///< in any order
+    ClipRegion clip = {};
+    /// Opaque triangles that are drawn elsewhere, and not here: rays end there like at a view's SceneDepth, and shadows
+    /// are cast. May be null.
+    std::shared_ptr<const TriangleScene> occluders = nullptr;
 };
 
 struct ViewStatistics
@@ -88,9 +107,14 @@ struct ViewStatistics
     std::uint64_t surfaceHits = 0; ///< of isosurfaces and contour planes
     /// Of the bounded method: the largest error that it admits to have made in a pixel, and the pixels where that is
     /// more than the tolerance, with the reason; 0 and empty otherwise.
+    /// With LodConfig the error is that of integrating the data that were used, against the converged image of those:
+    /// how far averaged data are from the data themselves is not in it.
     float largestBound = 0.0f;
     std::uint64_t pixelsBeyond = 0;
     std::string beyondBecause;
+    /// Samples by the level of the pyramid's member that they were taken from, [0] those of the data themselves; ends
+    /// with the coarsest member that was used.
+    std::vector<std::uint64_t> memberSamples;
 };
 
 /// Renders views of one scene. Construction does what all views share (the table of the transfer function, the regions

@@ -29,6 +29,12 @@ TileRenderer::TileRenderer(const ViewRays& rays, const TileScene& scene, const R
     for (const TriangleScene** triangles : {&scene_.triangles, &scene_.occluders})
         if (*triangles && (*triangles)->empty())
             *triangles = nullptr;
+    for (TileMember& member : scene_.pyramid)
+        member.volume.origin = rays.origin();
+    if (!(settings.lod.cellPixels > 0.0f) || settings.method == Method::reference)
+        scene_.pyramid.clear();
+    for (const TileMember& member : scene_.pyramid)
+        levels_.push_back(member.level);
     if (settings.light)
         light_.emplace(scene_, settings);
 }
@@ -39,18 +45,49 @@ TileCounts& TileCounts::operator+=(const TileCounts& other)
     surfaceHits += other.surfaceHits;
     largestBound = std::max(largestBound, other.largestBound);
     pixelsBeyond += other.pixelsBeyond;
+    for (std::size_t level = 0; level < memberSamples.size(); ++level)
+        memberSamples[level] += other.memberSamples[level];
     return *this;
 }
 
-void TileRenderer::integrate(const RayTile& tile, TileResult& result) const
+void TileRenderer::integrateIn(std::size_t member, const RayTile& tile, TileResult& result, TileCounts& counts) const
 {
-    const auto dark = [this](const RayTile& part, TileResult& sum) {
-        integrateVolume(scene_.volume, scene_.reference, settings_, part, sum);
-    };
-    if (light_)
-        integrateLit(dark, *settings_.light, *light_, tile, result);
-    else
-        dark(tile, result);
+    const std::uint64_t before = result.counts.samples;
+    integrateVolume(member == 0 ? scene_.volume : scene_.pyramid[member - 1].volume, scene_.reference, settings_, tile,
+                    result);
+    const int level = member == 0 ? 0 : scene_.pyramid[member - 1].level;
+    counts.memberSamples[std::size_t(level)] += result.counts.samples - before;
+}
+
+void TileRenderer::integrateAll(const RayTile& tile, const TileMembers& members, TileResult& result,
+                                TileCounts& counts) const
+{
+    if (scene_.pyramid.empty())
+        return integrateIn(0, tile, result, counts);
+    for (std::size_t m = 0; m < members.sections(); ++m) {
+        const TileSection section = members.section(m, tile);
+        TileResult coarser;
+        if (section.anyCoarser) {
+            coarser = result;
+            coarser.counts = {};
+            integrateIn(m + 1, section.coarser, coarser, counts);
+        }
+        if (section.anyFiner)
+            integrateIn(m, section.finer, result, counts);
+        if (section.anyCoarser) {
+            mix(section, coarser, result);
+            result.counts += coarser.counts;
+        }
+    }
+}
+
+void TileRenderer::integrate(const RayTile& tile, const TileMembers& members, TileResult& result,
+                             TileCounts& counts) const
+{
+    if (!light_)
+        return integrateAll(tile, members, result, counts);
+    const auto dark = [&](const RayTile& part, TileResult& sum) { integrateAll(part, members, sum, counts); };
+    integrateLit(dark, *settings_.light, *light_, tile, result);
 }
 
 bool TileRenderer::hasLayers() const
@@ -60,7 +97,8 @@ bool TileRenderer::hasLayers() const
     return !byMethod && !(scene_.surfaces.empty() && scene_.planes.empty());
 }
 
-void TileRenderer::trace(const RayTile& tile, Layers& layers, TileResult& result) const
+void TileRenderer::trace(const RayTile& tile, const TileMembers& members, Layers& layers, TileResult& result,
+                         TileCounts& counts) const
 {
     RayTile part = tile;
     bool more = true;
@@ -70,7 +108,7 @@ void TileRenderer::trace(const RayTile& tile, Layers& layers, TileResult& result
             if (const Layer* layer = layers.at(i, pass); layer && part.tNear[i] < part.tFar[i])
                 part.tFar[i] = std::clamp(static_cast<float>(layer->t), part.tNear[i], tile.tFar[i]);
         }
-        integrate(part, result);
+        integrate(part, members, result, counts);
         if (light_)
             light(tile, pass, layers, result);
         for (int i = 0; i < tile.count; ++i) {
@@ -104,16 +142,14 @@ void TileRenderer::light(const RayTile& tile, std::uint32_t number, Layers& laye
             layers.at(i, number)->shade = shades[i];
 }
 
-TileCounts TileRenderer::countsOf(const RayTile& tile, const TileResult& result, const Layers& layers) const
+void TileRenderer::count(const RayTile& tile, const TileResult& result, const Layers& layers, TileCounts& counts) const
 {
-    TileCounts counts;
     counts.trace = result.counts;
     counts.surfaceHits = layers.layers.size();
     for (int i = 0; i < tile.count; ++i) {
         counts.largestBound = std::max(counts.largestBound, result.error[i]);
         counts.pixelsBeyond += result.error[i] > settings_.bounded.tolerance;
     }
-    return counts;
 }
 
 void TileRenderer::intersect(const TriangleScene* triangles, const TilePixels& pixels,
@@ -179,7 +215,8 @@ TileCounts TileRenderer::render(int x, int y, Frame& frame) const
     const Ends ends = endRays(pixels, tile);
     const bool shaded = light_ || settings_.shading == Shading::headlight;
     Layers layers = hasLayers() ? findLayers(scene_, rays_, shaded, pixels, tile, result.counts) : Layers{};
-    trace(tile, layers, result);
+    TileCounts counts;
+    trace(tile, TileMembers(rays_, pixels, levels_, settings_.lod.cellPixels), layers, result, counts);
     const RayTile::PerRay<float> shades = scene_.triangles ? shadesOf(pixels, ends, result) : RayTile::PerRay<float>{};
 
     for (int i = 0; i < pixels.count; ++i) {
@@ -199,7 +236,8 @@ TileCounts TileRenderer::render(int x, int y, Frame& frame) const
         // Not even by rounding may it lie behind the scene that the pixel is drawn over.
         frame.depth[index] = weight > 0.0 ? std::min(depth, ends.depth[i]) : 1.0f;
     }
-    return countsOf(tile, result, layers);
+    count(tile, result, layers, counts);
+    return counts;
 }
 
 } // namespace brickwall

@@ -5,19 +5,25 @@
 #include "brickwall/core/render/Layers.h"
 #include "brickwall/core/render/LightVisibility.h"
 #include "brickwall/core/render/RayTiles.h"
+#include "brickwall/core/render/TileMembers.h"
 #include "brickwall/core/render/TileScene.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace brickwall {
 
 struct TileCounts
 {
+    using PerLevel = std::array<std::uint64_t, maxLevel + 1>;
+
     TraceCounts trace;
     std::uint64_t surfaceHits = 0;
     float largestBound = 0.0f;
     std::uint64_t pixelsBeyond = 0; ///< whose bound is more than the tolerance
+    PerLevel memberSamples{};       ///< by the level of the data that they were taken from; [0]: the data themselves
 
     TileCounts& operator+=(const TileCounts& other);
 };
@@ -45,18 +51,23 @@ private:
     /// Whether surfaces and planes are found here, and not by the method.
     bool hasLayers() const;
     /// The volume in front of each layer in turn, then that layer; after the last one the rest of the volume.
-    void trace(const RayTile& tile, Layers& layers, TileResult& result) const;
+    void trace(const RayTile& tile, const TileMembers& members, Layers& layers, TileResult& result,
+               TileCounts& counts) const;
     /// Integrates the volume along the rays, in the light of the settings.
-    void integrate(const RayTile& tile, TileResult& result) const;
+    void integrate(const RayTile& tile, const TileMembers& members, TileResult& result, TileCounts& counts) const;
+    /// In the data first, further away in one member of the pyramid after the other.
+    void integrateAll(const RayTile& tile, const TileMembers& members, TileResult& result, TileCounts& counts) const;
+    void integrateIn(std::size_t member, const RayTile& tile, TileResult& result, TileCounts& counts) const;
     /// Gives the layers with this number of all rays their light, instead of that of the eye.
     void light(const RayTile& tile, std::uint32_t number, Layers& layers, TileResult& result) const;
     /// What the colours of triangles that are drawn are multiplied with.
     RayTile::PerRay<float> shadesOf(const TilePixels& pixels, const Ends& ends, TileResult& result) const;
-    TileCounts countsOf(const RayTile& tile, const TileResult& result, const Layers& layers) const;
+    void count(const RayTile& tile, const TileResult& result, const Layers& layers, TileCounts& counts) const;
 
     ViewRays rays_;
     TileScene scene_;
     RenderSettings settings_;
+    std::vector<int> levels_; ///< of the pyramid
     std::optional<LightVisibility> light_;
 };
 

@@ -7,13 +7,22 @@
 #include "brickwall/core/trace/Surfaces.h"
 
 #include <span>
+#include <vector>
 
 namespace brickwall {
+
+/// Coarser data of the same field.
+struct TileMember
+{
+    int level = 0;
+    TraceScene volume;
+};
 
 /// What tiles are rendered from. Everything is borrowed.
 struct TileScene
 {
-    TraceScene volume; ///< `origin` is set per view
+    TraceScene volume;               ///< `origin` is set per view, also of the members
+    std::vector<TileMember> pyramid; ///< ascending by level
     std::span<const IsoSurface> surfaces;
     std::span<const KdNode> surfaceNodes;
     std::span<const ContourPlane> planes;

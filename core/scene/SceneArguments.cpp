@@ -91,6 +91,13 @@ void addMethodOptions(CLI::App& command, SceneOptions& options)
     command.add_option_function<double>(
         "--dt", [&options](double dt) { options.dt = dt; },
         "of fixed, midpoint, bracket, preintegrated: step in finest cell widths of the region (default 0.5)");
+    addLodOption(command, options);
+}
+
+void addLodOption(CLI::App& command, SceneOptions& options)
+{
+    command.add_option("--lod", options.lod,
+                       "PIXELS: far away, data averaged into cells about so many pixels wide (default 0: never)");
 }
 
 } // namespace brickwall

@@ -18,8 +18,10 @@ void addDeriveOption(CLI::App& command, SceneOptions& options);
 void addSceneOptions(CLI::App& command, SceneOptions& options);
 void addNonFiniteOption(CLI::App& command, SceneOptions& options);
 void addBackgroundOption(CLI::App& command, SceneOptions& options);
-/// Adds --method, --tolerance and --dt.
+/// Adds --method, --tolerance, --dt and --lod.
 void addMethodOptions(CLI::App& command, SceneOptions& options);
+/// Adds --lod, which is one of the above.
+void addLodOption(CLI::App& command, SceneOptions& options);
 void addThreadsOption(CLI::App& command, int& threads);
 
 } // namespace brickwall

@@ -160,6 +160,10 @@ void checkMethod(const SceneOptions& options, const PlaceOfOption& placeOf, cons
             throw Error(placeOf("tolerance"),
                         fmt::format("has no effect on the method {}; it belongs to bounded", options.method));
     }
+    limits.require(options.lod >= 0.0 && isFinite(options.lod), "lod", "a finite number of pixels, 0 or more",
+                   options.lod);
+    if (options.lod > 0.0 && method == Method::reference)
+        throw Error(placeOf("lod"), "has no effect on the method reference, which looks at the data themselves");
     if (options.dt) {
         limits.require(static_cast<float>(*options.dt) > 0.0f && isFinite(*options.dt), "dt", "a finite number above 0",
                        *options.dt);

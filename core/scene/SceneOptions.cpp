@@ -91,6 +91,7 @@ RenderSettings renderSettings(const SceneOptions& options)
         settings.bounded.tolerance = static_cast<float>(*options.tolerance);
     if (options.dt)
         settings.step.dt = static_cast<float>(*options.dt);
+    settings.lod.cellPixels = static_cast<float>(options.lod);
     settings.shading = options.shading == "off" ? Shading::off : Shading::headlight;
     if (!options.light.empty())
         settings.light = Light{vec3d(options.light[0], options.light[1], options.light[2]),

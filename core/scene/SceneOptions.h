@@ -45,6 +45,7 @@ struct SceneOptions
     std::string method = "bounded";
     std::optional<double> tolerance; ///< of bounded
     std::optional<double> dt;        ///< of the methods that take steps
+    double lod = 0.0;                ///< LodConfig::cellPixels
     int threads = 0;
 
     bool operator==(const SceneOptions&) const = default;

@@ -3,12 +3,14 @@
 
 #include "brickwall/core/base/Stopwatch.h"
 #include "brickwall/core/io/DataSet.h"
+#include "brickwall/core/model/Pyramid.h"
 #include "brickwall/core/shade/ColorMaps.h"
 #include "brickwall/core/shade/DefaultTransferFunction.h"
 #include "brickwall/core/shade/TransferFunctionFile.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -53,7 +55,8 @@ void noteWhatIsNotSeen(const Scene& scene, const Field& field, Progress& progres
 
 } // namespace
 
-PreparedScene prepareScene(const SceneOptions& options, const Executor& executor, Progress& progress)
+PreparedScene prepareScene(const SceneOptions& options, const Executor& executor, Progress& progress,
+                           std::vector<TriangleMesh> more)
 {
     const Stopwatch loading;
     const auto data = openData(options);
@@ -72,13 +75,19 @@ PreparedScene prepareScene(const SceneOptions& options, const Executor& executor
     prepared.scene.transferFunction = chooseTransferFunctionFor(options, model, field, progress);
     auto regions = std::make_shared<RegionTree>(buildRegions(model.bricks, executor, progress));
     auto padded = std::make_shared<PaddedField>(padField(field, model.bricks, *regions, executor, progress));
+    prepared.bytes = regions->bytes() + padded->bytes();
+    if (options.lod > 0.0) {
+        for (const PyramidMember& member : buildPyramid(model, {}, executor, progress)) {
+            prepared.scene.pyramid.push_back({member.level, member.regions, member.fields.front()});
+            prepared.bytes += member.bytes();
+        }
+    }
     prepared.prepareMilliseconds = preparing.milliseconds();
 
-    prepared.bytes = regions->bytes() + padded->bytes();
     prepared.scene.regions = std::move(regions);
     prepared.scene.field = std::move(padded);
-    model.meshes.insert(model.meshes.end(), std::make_move_iterator(meshes.begin()),
-                        std::make_move_iterator(meshes.end()));
+    std::ranges::move(meshes, std::back_inserter(model.meshes));
+    std::ranges::move(more, std::back_inserter(model.meshes));
     if (!model.meshes.empty())
         prepared.scene.triangles = std::make_shared<TriangleScene>(model.meshes);
     prepared.scene.worldFromVoxel = model.worldFromVoxel;

@@ -3,11 +3,13 @@
 
 #include "brickwall/core/base/Executor.h"
 #include "brickwall/core/base/Progress.h"
+#include "brickwall/core/model/Model.h"
 #include "brickwall/core/render/Renderer.h"
 #include "brickwall/core/scene/SceneOptions.h"
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace brickwall {
 
@@ -27,6 +29,9 @@ struct PreparedScene
 
 /// Opens, reads, builds regions, chooses the transfer function and makes the surfaces; says in notes what was repaired
 /// or chosen, and what will not be seen. The options are within their limits.
-PreparedScene prepareScene(const SceneOptions& options, const Executor& executor, Progress& progress);
+///
+/// `more` are opaque triangles in world space, beside those of the data.
+PreparedScene prepareScene(const SceneOptions& options, const Executor& executor, Progress& progress,
+                           std::vector<TriangleMesh> more = {});
 
 } // namespace brickwall

@@ -136,6 +136,7 @@ std::string sceneText(const SceneOptions& options)
     line.add("method", options.method, start.method);
     line.add("tolerance", options.tolerance, start.tolerance);
     line.add("dt", options.dt, start.dt);
+    line.add("lod", options.lod, start.lod);
     line.add("threads", options.threads, start.threads);
     return line.take();
 }

@@ -146,7 +146,7 @@ TEST_F(RenderInvariance, SkippedRegionsChangeNothing)
     const TransferFunction tf = extinctionRamp({0.85f, 0.95f}, 0.0f, 0.7f, false);
     const TransferTable table = tabulate(tf);
     const auto visible = visibleNodes(*scene.regions, regionBounds(*scene.field, integrate(tf), serial), serial);
-    const ViewRays rays(view, scene.regions->bounds, mat4d(1.0), ClipRegion(), true);
+    const ViewRays rays(view, scene.regions->bounds, mat4d(1.0), true);
     TraceScene s;
     s.regions = scene.regions.get();
     s.field = scene.field.get();

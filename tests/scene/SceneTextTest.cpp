@@ -55,6 +55,8 @@ TEST(SceneText, RefusesWhatTheCommandLineRefusesAndChangesNothing)
                                               "opacity-scale=x",
                                               "colormap=nosuch",
                                               "field='b",
+                                              "lod=-1",
+                                              "lod=1 method=reference",
                                               "light=0,0,0",
                                               "light=1,2",
                                               "light=1,0,0 ambient=2",
@@ -84,7 +86,7 @@ TEST(SceneText, WritesWhatItReads)
          {"field=dens tf=my.xf range=-1,2.5 shading=off iso=0.5,0.9 iso-color=1,0,0.25 iso-opacity=0.3,1 "
           "tolerance=0.002",
           "derive=\"b = 2 * a\" non-finite=empty colormap=\"Cool Warm\" opacity-scale=0.1 volume=off background=0,0,1 "
-          "method=midpoint dt=0.25 threads=3",
+          "method=midpoint dt=0.25 lod=1.5 threads=3",
           "mesh=a.obj mesh=\"b c.ply\" mesh-scale=0.5 mesh-offset=1,2,3 mesh-color=1,0,0 light=0.5,1,-2 ambient=0.1 "
           "light-tolerance=0.25 plane=1,0,0,0.5,0,1,0,-2 plane-opacity=0.5 "
           "clip-plane=0,0,1,3 clip-box=-1,-1,-1,1,2,3 clip-sphere=1,2,3,4"}) {
