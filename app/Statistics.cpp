@@ -49,7 +49,12 @@ json methodJson(const RenderSettings& settings)
         method["tolerance"] = settings.bounded.tolerance;
     if (takesSteps(settings.method))
         method["dt"] = settings.step.dt;
-    method["lod"] = settings.lod.cellPixels;
+    if (settings.method != Method::reference)
+        method["lod"] = settings.lod.cellPixels;
+    if (const auto& light = settings.light)
+        method["light"] = {{"towards", {light->towards.x, light->towards.y, light->towards.z}},
+                           {"ambient", light->ambient},
+                           {"tolerance", light->tolerance}};
     return method;
 }
 
@@ -110,6 +115,7 @@ void writeStatistics(const std::string& path, const RenderStatistics& statistics
                        {"regions", prepared.scene.regions->regions.size()},
                        {"method", methodJson(settings)},
                        {"surfaces", surfacesJson(prepared.scene.surfaces)},
+                       {"planes", prepared.scene.planes.size()},
                        {"pyramid", pyramidJson(prepared.scene)},
                        {"threads", threads},
                        {"lanes", Renderer::lanes()},

@@ -41,10 +41,12 @@ TEST(AccuracyOptions, StatisticsNameTheMethodAndItsParameter)
     EXPECT_NEAR(statisticsOf("--tolerance 1e-2")["method"]["tolerance"], 0.01, 1e-9);
     for (const char* name : {"fixed", "midpoint", "bracket", "preintegrated"}) {
         const json method = statisticsOf(std::string("--dt 0.25 --method ") + name)["method"];
-        EXPECT_EQ(method, json({{"name", name}, {"dt", 0.25}}));
+        EXPECT_EQ(method, json({{"name", name}, {"dt", 0.25}, {"lod", 0.0}}));
     }
     const json reference = json::object({{"name", "reference"}});
     EXPECT_EQ(statisticsOf("--method reference")["method"], reference);
+    const json light = statisticsOf("--light 0,1,2 --ambient 0.5 --light-tolerance 1/16")["method"]["light"];
+    EXPECT_EQ(light, json({{"towards", {0.0, 1.0, 2.0}}, {"ambient", 0.5}, {"tolerance", 0.0625}}));
 }
 
 TEST(AccuracyOptions, StatisticsHoldCountsAndTheBound)
