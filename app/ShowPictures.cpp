@@ -9,6 +9,7 @@
 #include "brickwall/core/trace/VisibleNodes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -77,7 +78,7 @@ Numbers levelsOf(const Scene& scene, const View& view, const Executor& executor)
 {
     const auto bounds = regionBounds(*scene.field, integrate(scene.transferFunction), executor);
     const std::vector<KdNode> nodes = visibleNodes(*scene.regions, bounds, executor);
-    const ViewRays rays(view, scene.regions->bounds, scene.worldFromVoxel, false);
+    const ViewRays rays(view, scene.regions->bounds, scene.worldFromVoxel, false, scene.clip);
     Numbers numbers(std::size_t(view.window.width) * view.window.height);
     TilePixels pixels;
     RayTile tile;
@@ -110,6 +111,15 @@ Numbers numbersOf(const Renderer& renderer, const View& view, const RenderSettin
     return levelsOf(renderer.scene(), view, executor);
 }
 
+/// Above all but a thousandth: a ray along a surface may take a hundred times what the others do, and would leave them
+/// black.
+float topOf(Numbers numbers)
+{
+    const auto top = numbers.begin() + std::ptrdiff_t(std::ceil(0.999 * double(numbers.size() - 1)));
+    std::nth_element(numbers.begin(), top, numbers.end());
+    return *top;
+}
+
 Frame frameOf(const View& view)
 {
     Frame frame{view, view.window.width, view.window.height, {}, {}};
@@ -130,8 +140,7 @@ ShownView showView(const Renderer& renderer, const View& view, const RenderSetti
     progress.end();
 
     ShownView shown{frameOf(view), frameOf(view), {}, titles.at(std::size_t(what)), 0.0};
-    const float least = what == Show::levels ? -1.0f : 0.0f,
-                largest = *std::max_element(numbers.begin(), numbers.end());
+    const float least = what == Show::levels ? -1.0f : 0.0f, largest = topOf(numbers);
     shown.scale.range = {least, std::max(largest, least + (what == Show::error ? 1e-6f : 1.0f))};
     shown.scale.colors = colorMap("Inferno");
     shown.scale.opacity = {{0.0f, 1.0f}};

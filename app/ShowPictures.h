@@ -22,7 +22,7 @@ inline constexpr std::array showNames = {"cost", "regions", "levels", "error"};
 struct ShownView
 {
     Frame numbers; ///< red, green and blue are the number itself; opaque, no depth
-    Frame colors;  ///< the same in the colours of `scale`
+    Frame colors;  ///< the same in the colours of `scale`, which ends above all but a thousandth of the pixels
     TransferFunction scale;
     std::string title;
     double mean = 0.0;
