@@ -6,7 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
+
 #include <fstream>
+#include <numbers>
 
 namespace brickwall::test {
 namespace {
@@ -46,6 +49,22 @@ TEST(SceneMeshes, EndRaysInTheirColour)
     const View view = viewOfCamera("v", {3.5, 0.5, 8.0}, {3.5, 0.5, 0.0}, {0, 1, 0}, 10.0, 1, 1, 0.1, 100.0);
     const Frame frame = Renderer(prepared.scene, serial).render({&view, 1}, {}, silent).front();
     EXPECT_EQ(frame.color[0], vec4f(1, 0, 0, 1)) << "seen along its normal";
+}
+
+TEST(SceneMeshes, TheBallOfTheExamplesIsRound)
+{
+    SceneOptions options;
+    options.meshes = {BRICKWALL_SOURCE_DIR "/examples/ball.obj"};
+    Progress silent;
+    const auto meshes = readMeshes(options, silent);
+    ASSERT_EQ(meshes.size(), 1u);
+    double volume = 0.0;
+    for (const vec3i& t : meshes[0].triangles) {
+        const vec3d a(meshes[0].vertices[t.x]), b(meshes[0].vertices[t.y]), c(meshes[0].vertices[t.z]);
+        volume += glm::dot(a, glm::cross(b, c)) / 6.0;
+        EXPECT_NEAR(glm::length(a), 0.5, 1e-5);
+    }
+    EXPECT_NEAR(volume, std::numbers::pi / 6.0, 0.005) << "closed, and all triangles turn the same way";
 }
 
 TEST(SceneMeshes, ThatCannotBeReadEndThePreparation)
