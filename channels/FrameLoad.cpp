@@ -9,8 +9,6 @@ namespace brickwall {
 namespace {
 
 constexpr std::size_t longest = 24;
-constexpr std::size_t fewest = 3;     ///< of which one may be an exception
-constexpr double wantedSpread = 0.04; ///< of the estimate
 constexpr double leastNoise = 0.02;
 constexpr double noiseRate = 1.0 / 24.0;
 constexpr double sureness = 5.0;        ///< standard deviations
