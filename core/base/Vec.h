@@ -27,6 +27,12 @@ inline vec3d transformPoint(const mat4d& m, const vec3d& p)
     return vec3d(q) / q.w;
 }
 
+/// No component is a NaN or infinite; of float vectors, too.
+inline bool isFinite(const vec3d& v)
+{
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
 /// The linear part of `m` applied to a direction.
 inline vec3d transformVector(const mat4d& m, const vec3d& v)
 {

@@ -72,6 +72,8 @@ public:
     std::vector<std::string> fieldNames() const override { return header_.components; }
     std::string defaultField() const override { return usualField(header_.components); }
 
+    std::vector<std::string> files() const override { return filesBelow(folder_); }
+
     Model load(std::span<const std::string> fields, const Executor& executor, Progress& progress,
                NonFinite nonFinite) const override
     {

@@ -180,6 +180,8 @@ public:
 
     std::string defaultField() const override { return table_.fields.empty() ? "" : table_.fields[0].name; }
 
+    std::vector<std::string> files() const override { return {path_}; }
+
     Model load(std::span<const std::string> fields, const Executor& executor, Progress& progress,
                NonFinite nonFinite) const override
     {

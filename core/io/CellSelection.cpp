@@ -75,10 +75,11 @@ void SelectedValues::read(std::size_t brick, std::uint64_t first, std::span<floa
         const std::uint64_t row = cell / part.size.x;
         const auto y = static_cast<int>(row % part.size.y), z = static_cast<int>(row / part.size.y);
         const std::size_t n = std::min<std::size_t>(part.size.x - x, out.size() - done);
-        const std::uint64_t from =
-            whole.begin + offset.x + x +
-            std::uint64_t(whole.size.x) * (std::uint64_t(offset.y + y) + std::uint64_t(whole.size.y) * (offset.z + z));
-        std::copy_n(field_.values.data() + from, n, out.data() + done);
+        const std::uint64_t from = whole.slotOf(offset + vec3i(x, y, z));
+        if (source_)
+            source_(cells_.sources[brick], from - whole.begin, out.subspan(done, n));
+        else
+            std::copy_n(field_.values.data() + from, n, out.data() + done);
         done += n;
     }
 }

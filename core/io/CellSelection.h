@@ -1,12 +1,14 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "brickwall/core/io/ValueSource.h"
 #include "brickwall/core/model/Model.h"
 
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace brickwall {
@@ -32,12 +34,12 @@ struct CellSelection
 /// Throws Error at `place` if no cell is chosen.
 CellSelection selectCells(const Model& model, const CellChoice& choice, std::string_view place);
 
-/// The values of the chosen cells.
+/// The values of the chosen cells: those of the field, or of a source of values for the model's bricks.
 class SelectedValues
 {
 public:
-    SelectedValues(const CellSelection& cells, const Model& model, const Field& field)
-        : cells_(cells), model_(model), field_(field)
+    SelectedValues(const CellSelection& cells, const Model& model, const Field& field, ValueSource source = {})
+        : cells_(cells), model_(model), field_(field), source_(std::move(source))
     {
     }
 
@@ -50,6 +52,7 @@ private:
     const CellSelection& cells_;
     const Model& model_;
     const Field& field_;
+    ValueSource source_;
 };
 
 } // namespace brickwall

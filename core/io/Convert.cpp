@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace brickwall {
@@ -57,13 +58,10 @@ public:
 
     void run()
     {
-        const std::size_t atOnce = options_.nonFinite == NonFinite::empty ? std::max<std::size_t>(names_.size(), 1) : 1;
-        std::size_t done = 0;
-        do {
-            const auto batch = std::span(names_).subspan(done, std::min(atOnce, names_.size() - done));
-            add(source_.load(batch, executor_, progress_, options_.nonFinite));
-            done += batch.size();
-        } while (done < names_.size());
+        if (auto streamed = source_.stream(names_, executor_, progress_))
+            add(std::move(streamed->model), streamed->values);
+        else
+            load();
         progress_.begin("finishing", 0);
         writer_->finish();
         progress_.check();
@@ -72,7 +70,19 @@ public:
     }
 
 private:
-    void add(Model model)
+    void load()
+    {
+        const std::size_t atOnce = options_.nonFinite == NonFinite::empty ? std::max<std::size_t>(names_.size(), 1) : 1;
+        std::size_t done = 0;
+        do {
+            const auto batch = std::span(names_).subspan(done, std::min(atOnce, names_.size() - done));
+            add(source_.load(batch, executor_, progress_, options_.nonFinite), {});
+            done += batch.size();
+        } while (done < names_.size());
+    }
+
+    /// `sources` are those of the fields' values, or none where the fields have them.
+    void add(Model model, std::span<const ValueSource> sources)
     {
         std::vector<Field> fields = std::move(model.fields);
         if (!writer_) {
@@ -84,9 +94,10 @@ private:
             throw Error(destination_, fmt::format("field '{}' has other cells than '{}'; convert them one by one",
                                                   fields.front().name, names_.front()));
         }
-        for (Field& field : fields) {
-            writer_->write(SelectedValues(cells_, model_, field), executor_, progress_);
-            field.values = {};
+        for (std::size_t f = 0; f < fields.size(); ++f) {
+            const ValueSource source = sources.empty() ? ValueSource() : sources[f];
+            writer_->write(SelectedValues(cells_, model_, fields[f], source), executor_, progress_);
+            fields[f].values = {};
         }
     }
 

@@ -23,7 +23,8 @@ struct ConvertOptions
 /// and values stay exactly what they are.
 ///
 /// One field after the other is read and written, so that memory is that of one field (of all with NonFinite::empty,
-/// which makes holes where any of the fields has no value), and of what the writer says. Everything is written under
+/// which makes holes where any of the fields has no value), and of what the writer says. Data that can be streamed
+/// (samples) need no memory for fields. Everything is written under
 /// temporary names and renamed when it is whole, the file that a user opens last. Throws Error and Cancelled; nothing
 /// of the destination is there then, or all that was there before.
 void convert(const DataSet& source, const std::string& destination, const ConvertOptions& options,

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 
@@ -34,6 +35,20 @@ void checkExists(const std::string& data)
 }
 
 } // namespace
+
+std::vector<std::string> filesBelow(const std::string& folder)
+{
+    std::vector<std::string> files;
+    std::error_code error;
+    std::filesystem::recursive_directory_iterator entry(folder, error);
+    for (; !error && entry != std::filesystem::recursive_directory_iterator(); entry.increment(error))
+        if (entry->is_regular_file(error))
+            files.push_back(entry->path().string());
+    if (error)
+        files.clear();
+    std::ranges::sort(files);
+    return files;
+}
 
 std::span<const Format> formats()
 {

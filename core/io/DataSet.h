@@ -3,9 +3,11 @@
 
 #include "brickwall/core/base/Executor.h"
 #include "brickwall/core/base/Progress.h"
+#include "brickwall/core/io/ValueSource.h"
 #include "brickwall/core/model/Model.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,6 +18,14 @@ namespace brickwall {
 enum class NonFinite {
     error, ///< an Error that names file, field and cell
     empty, ///< there is no such cell: the data have a hole there, and the model's notes say how many
+};
+
+/// Data whose values are not in memory: the fields of the model have none (and no range), values[f] gives those of
+/// field f. It lives no longer than its data set.
+struct StreamedModel
+{
+    Model model;
+    std::vector<ValueSource> values;
 };
 
 /// An opened data set: its fields are known by name, values are read when asked for.
@@ -32,7 +42,22 @@ public:
     /// are), for anything broken in the files, and Cancelled. May be called several times, from one thread at a time.
     virtual Model load(std::span<const std::string> fields, const Executor& executor, Progress& progress,
                        NonFinite nonFinite = NonFinite::error) const = 0;
+    /// All files that what `load` yields depends on. None: it is not known what it depends on, or on no file.
+    virtual std::vector<std::string> files() const { return {}; }
+    /// The same without the values, all of which are finite, for data that can make or read them piece by piece;
+    /// nothing for others, which have to be loaded. Throws as load does.
+    virtual std::optional<StreamedModel> stream(std::span<const std::string> fields, const Executor& executor,
+                                                Progress& progress) const
+    {
+        (void)fields;
+        (void)executor;
+        (void)progress;
+        return std::nullopt;
+    }
 };
+
+/// All regular files in a folder and below, in a fixed order; nothing where it cannot be read.
+std::vector<std::string> filesBelow(const std::string& folder);
 
 /// One format. Which reader answers is decided by what is in the file, not by its name.
 ///

@@ -107,6 +107,8 @@ public:
         return names;
     }
 
+    std::vector<std::string> files() const override { return stored_->files(); }
+
     Model load(std::span<const std::string> fields, const Executor& executor, Progress& progress,
                NonFinite nonFinite) const override
     {
@@ -128,6 +130,15 @@ public:
         for (std::size_t n = said; n < model.notes.size(); ++n)
             progress.note(model.notes[n]);
         return model;
+    }
+
+    /// Fields that are computed need values of others.
+    std::optional<StreamedModel> stream(std::span<const std::string> fields, const Executor& executor,
+                                        Progress& progress) const override
+    {
+        fieldIndices(knownNames(), fields, place_);
+        const bool stored = std::ranges::all_of(fields, [&](const auto& name) { return contains(storedNames_, name); });
+        return stored ? stored_->stream(fields, executor, progress) : std::nullopt;
     }
 
 private:

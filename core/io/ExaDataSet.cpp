@@ -34,6 +34,18 @@ public:
 
     std::string defaultField() const override { return parts_.fields.empty() ? "" : parts_.fields[0].name; }
 
+    std::vector<std::string> files() const override
+    {
+        std::vector<std::string> files{parts_.data};
+        if (parts_.geometry != parts_.data)
+            files.push_back(parts_.geometry);
+        for (const ExaField& field : parts_.fields)
+            files.insert(files.end(), field.files.begin(), field.files.end());
+        if (!parts_.triangles.empty())
+            files.push_back(parts_.triangles);
+        return files;
+    }
+
     Model load(std::span<const std::string> fields, const Executor& executor, Progress& progress,
                NonFinite nonFinite) const override
     {
@@ -53,7 +65,7 @@ public:
             leaveOutNonFinite(model, parts_.geometry, executor, progress);
         for (const std::string& note : model.notes)
             progress.note(note);
-        checkModel(model, parts_.geometry);
+        checkLayout(model, parts_.geometry); // every value has been looked at
         return model;
     }
 

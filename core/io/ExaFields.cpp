@@ -2,13 +2,16 @@
 #include "brickwall/core/io/ExaFields.h"
 
 #include "brickwall/core/base/Error.h"
+#include "brickwall/core/base/LargeArray.h"
 #include "brickwall/core/io/FieldNames.h"
+#include "brickwall/core/io/ScalarsFile.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <mutex>
 #include <set>
 #include <utility>
 
@@ -16,24 +19,6 @@ namespace brickwall {
 namespace {
 
 constexpr std::size_t grain = 1 << 16;
-
-std::vector<float> readScalars(const std::string& path, const Executor& executor, Progress& progress)
-{
-    const InputFile file(path);
-    if (file.size() == 0)
-        throw Error(path, "the file is empty, expected float32 values");
-    if (file.size() % sizeof(float) != 0)
-        throw Error(path, fmt::format("truncated: expected float32 values, found {} bytes, which is no multiple of 4",
-                                      file.size()));
-    std::vector<float> values(file.size() / sizeof(float));
-    executor.forEach(values.size(), grain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; i += grain) {
-            progress.check();
-            file.readAt(i * sizeof(float), std::span(values).subspan(i, std::min(grain, end - i)), "values");
-        }
-    });
-    return values;
-}
 
 /// Evaluates fields once each, as several may be used by one expression.
 class Reader
@@ -83,16 +68,15 @@ private:
     std::vector<float> gatherFile(const ExaField& field, const std::string& path)
     {
         progress_.begin(fmt::format("reading {}", field.name), geometry_.cellCount);
-        const std::vector<float> scalars = readScalars(path, executor_, progress_);
-        std::vector<float> result(geometry_.cellCount);
+        ScalarsFile scalars(path, progress_);
+        std::vector<float> result = makeLargeArray(geometry_.cellCount, executor_);
         geometry_.forEachId(executor_, progress_, [&](std::uint64_t first, std::span<const std::uint32_t> ids) {
-            for (std::size_t i = 0; i < ids.size(); ++i) {
+            for (std::size_t i = 0; i < ids.size(); ++i)
                 if (ids[i] >= scalars.size())
                     throw Error(geometry_.place, fmt::format("cell ID {} of {} is outside {}, which has {} values",
                                                              static_cast<std::int32_t>(ids[i]),
                                                              geometry_.describe(first + i), path, scalars.size()));
-                result[first + i] = scalars[ids[i]];
-            }
+            scalars.gather(ids, std::span(result).subspan(first, ids.size()));
         });
         progress_.end();
         return result;
@@ -141,12 +125,26 @@ private:
     std::map<std::size_t, std::vector<float>> done_;
 };
 
-void checkFinite(const ExaField& field, const std::vector<float>& values, const ExaGeometry& geometry)
+/// The range of the values. Throws Error for one that is not finite, if `nonFinite` says so.
+Range rangeOfFinite(const ExaField& field, const std::vector<float>& values, const ExaGeometry& geometry,
+                    NonFinite nonFinite, const Executor& executor)
 {
-    const auto bad = std::find_if(values.begin(), values.end(), [](float v) { return !std::isfinite(v); });
-    if (bad != values.end())
-        failNotFinite(*bad, field.files.size() == 1 ? field.files[0] : field.place, field.name,
-                      geometry.describe(static_cast<std::uint64_t>(bad - values.begin())));
+    std::mutex mutex;
+    Range range;
+    std::uint64_t firstBad = values.size();
+    executor.forEach(values.size(), grain, [&](std::size_t begin, std::size_t end) {
+        const auto part = std::span(values).subspan(begin, end - begin);
+        const auto bad = std::ranges::find_if(part, [](float v) { return !std::isfinite(v); });
+        const Range partRange = rangeOf(part);
+        const std::lock_guard lock(mutex);
+        range.extend(partRange);
+        if (bad != part.end())
+            firstBad = std::min<std::uint64_t>(firstBad, begin + std::uint64_t(bad - part.begin()));
+    });
+    if (firstBad < values.size() && nonFinite == NonFinite::error)
+        failNotFinite(values[firstBad], field.files.size() == 1 ? field.files[0] : field.place, field.name,
+                      geometry.describe(firstBad));
+    return range;
 }
 
 } // namespace
@@ -164,10 +162,11 @@ std::vector<Field> readExaFields(std::span<const ExaField> all, std::span<const 
         const ExaField& declared = all[index];
         Field field;
         field.name = declared.name;
-        field.values = expressions ? reader.values(index) : reader.take(index);
-        if (nonFinite == NonFinite::error)
-            checkFinite(declared, field.values, geometry);
-        field.range = rangeOf(field.values);
+        if (expressions) // not by a conditional operator, whose result is const here, and would be copied
+            field.values = reader.values(index);
+        else
+            field.values = reader.take(index);
+        field.range = rangeOfFinite(declared, field.values, geometry, nonFinite, executor);
         field.preferredRange = declared.preferredRange;
         fields.push_back(std::move(field));
     }

@@ -19,6 +19,7 @@ class Hdf5DataSet : public DataSet
 public:
     std::vector<std::string> fieldNames() const override { return names_; }
     std::string defaultField() const override { return usualField(names_); }
+    std::vector<std::string> files() const override { return {file_.path()}; }
     Model load(std::span<const std::string> fields, const Executor& executor, Progress& progress,
                NonFinite nonFinite) const override;
 

@@ -54,7 +54,7 @@ std::vector<TriangleMesh> readMesh(const std::string& path, Progress& progress)
     for (TriangleMesh& mesh : meshes) {
         progress.check();
         for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
-            if (const vec3f& v = mesh.vertices[i]; !std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
+            if (const vec3f& v = mesh.vertices[i]; !isFinite(vec3d(v)))
                 throw Error(path,
                             fmt::format("vertex {}: expected finite numbers, found ({}, {}, {})", i, v.x, v.y, v.z));
         without += std::erase_if(mesh.triangles, [&](const vec3i& t) { return !hasArea(mesh, t); });

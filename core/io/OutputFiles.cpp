@@ -18,12 +18,6 @@
 namespace brickwall {
 namespace {
 
-std::string temporaryName(const std::string& path)
-{
-    static std::atomic<unsigned> count{0};
-    return fmt::format("{}.{}-{}.part", path, ::getpid(), count++);
-}
-
 [[noreturn]] void fail(const std::string& path, int error)
 {
     throw Error(path, fmt::format("cannot be written: {}", std::strerror(error)));
@@ -44,6 +38,12 @@ bool isNumbered(const std::string& name, const std::string& prefix, const std::s
 }
 
 } // namespace
+
+std::string temporaryName(const std::string& path)
+{
+    static std::atomic<unsigned> count{0};
+    return fmt::format("{}.{}-{}.part", path, ::getpid(), count++);
+}
 
 OutputFiles::~OutputFiles()
 {

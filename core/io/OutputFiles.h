@@ -6,7 +6,10 @@
 
 namespace brickwall {
 
-/// The files of one conversion: they are written under temporary names (NAME.PID-N.part) in their own folder and
+/// A name beside `path` that no other thread or process has: NAME.PID-N.part.
+std::string temporaryName(const std::string& path);
+
+/// The files of one conversion: they are written under temporary names in their own folder and
 /// renamed together when all are whole. What was there before stays until then. Without `commit` nothing remains; after
 /// a `kill -9` names that end in .part may.
 class OutputFiles

@@ -1,4 +1,5 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#include "brickwall/core/base/LargeArray.h"
 #include "brickwall/core/io/ProceduralSet.h"
 
 #include <algorithm>
@@ -13,6 +14,7 @@ namespace {
 
 constexpr int blockWidth = 8; // in cells
 constexpr std::uint64_t blockCells = blockWidth * blockWidth * blockWidth;
+constexpr std::uint64_t cellsAtOnce = 1 << 14; // between two looks at whether to stop
 
 /// A block of the tree, leaf or refined: `at` counts blocks of its level.
 struct Block
@@ -167,24 +169,39 @@ std::vector<Brick> refineBlocks(const ProceduralSet& set, const Executor& execut
     return leafBricks(tree.blocks());
 }
 
+void sampleBrick(const ProceduralField& field, const mat4d& worldFromVoxel, const Brick& brick, std::uint64_t first,
+                 std::span<float> values)
+{
+    const auto row = std::uint64_t(brick.size.x), plane = row * std::uint64_t(brick.size.y);
+    vec3i i(first % row, first % plane / row, first / plane);
+    for (float& value : values) {
+        value = float(field.value(
+            transformPoint(worldFromVoxel, vec3d(brick.lower) + (vec3d(i) + 0.5) * double(brick.cellWidth()))));
+        if (++i.x < brick.size.x)
+            continue;
+        i.x = 0;
+        if (++i.y < brick.size.y)
+            continue;
+        i.y = 0;
+        ++i.z;
+    }
+}
+
 Field sampleField(const ProceduralField& field, const mat4d& worldFromVoxel, std::span<const Brick> bricks,
                   const Executor& executor, Progress& progress)
 {
     const std::uint64_t cells = bricks.empty() ? 0 : bricks.back().begin + bricks.back().cellCount();
-    Field out{field.name, field.unit, std::vector<float>(cells), {}, {}};
+    Field out{field.name, field.unit, makeLargeArray(cells, executor), {}, {}};
     progress.begin("sampling " + field.name, cells);
-    executor.forEach(bricks.size(), 1, [&](std::size_t first, std::size_t last) {
-        for (const Brick& brick : bricks.subspan(first, last - first)) {
-            progress.check();
-            float* value = out.values.data() + brick.begin;
-            vec3i i;
-            for (i.z = 0; i.z < brick.size.z; ++i.z)
-                for (i.y = 0; i.y < brick.size.y; ++i.y)
-                    for (i.x = 0; i.x < brick.size.x; ++i.x)
-                        *value++ = float(field.value(transformPoint(
-                            worldFromVoxel, vec3d(brick.lower) + (vec3d(i) + 0.5) * double(brick.cellWidth()))));
-            progress.advance(brick.cellCount());
-        }
+    executor.forEach(bricks.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (const Brick& brick : bricks.subspan(begin, end - begin))
+            for (std::uint64_t first = 0; first < brick.cellCount(); first += cellsAtOnce) {
+                progress.check();
+                const std::uint64_t count = std::min(cellsAtOnce, brick.cellCount() - first);
+                sampleBrick(field, worldFromVoxel, brick, first,
+                            std::span(out.values).subspan(brick.begin + first, count));
+                progress.advance(count);
+            }
     });
     out.range = rangeOf(out.values);
     progress.end();

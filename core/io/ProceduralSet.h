@@ -53,7 +53,11 @@ ProceduralSet proceduralImpact(std::uint64_t cells);
 /// cells or nothing changes anywhere. Levels of blocks that share a face differ by at most one. Throws Cancelled.
 std::vector<Brick> refineBlocks(const ProceduralSet& set, const Executor& executor, Progress& progress);
 
-/// The field at the cells' centres, in the order of the bricks. Throws Cancelled.
+/// The field at the centres of a brick's cells, from its cell number `first` on, x fastest.
+void sampleBrick(const ProceduralField& field, const mat4d& worldFromVoxel, const Brick& brick, std::uint64_t first,
+                 std::span<float> values);
+
+/// The field at all cells' centres, in the order of the bricks. Throws Cancelled.
 Field sampleField(const ProceduralField& field, const mat4d& worldFromVoxel, std::span<const Brick> bricks,
                   const Executor& executor, Progress& progress);
 

@@ -3,12 +3,15 @@
 
 #include "brickwall/core/model/BrickBuilder.h"
 #include "brickwall/core/model/CheckModel.h"
+#include "brickwall/core/model/MergeBoxes.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -75,18 +78,45 @@ public:
         std::vector<const ProceduralField*> fields;
         for (const std::string& name : names)
             fields.push_back(&fieldNamed(name));
-        Model model;
-        model.name = set_.name;
-        model.worldFromVoxel = set_.worldFromVoxel;
-        model.bricks = mergeBricks(refineBlocks(set_, executor, progress), {}, executor, progress).bricks;
-        model.cellCount = model.bricks.back().begin + model.bricks.back().cellCount();
+        Model model = grid(executor, progress);
         for (const ProceduralField* field : fields)
             model.fields.push_back(sampleField(*field, set_.worldFromVoxel, model.bricks, executor, progress));
         checkModel(model, data_);
         return model;
     }
 
+    std::optional<StreamedModel> stream(std::span<const std::string> names, const Executor& executor,
+                                        Progress& progress) const override
+    {
+        std::vector<const ProceduralField*> fields;
+        for (const std::string& name : names)
+            fields.push_back(&fieldNamed(name));
+        StreamedModel streamed{grid(executor, progress), {}};
+        const auto bricks = std::make_shared<const std::vector<Brick>>(streamed.model.bricks);
+        for (const ProceduralField* field : fields) {
+            streamed.model.fields.push_back({field->name, field->unit, {}, {}, {}});
+            streamed.values.push_back([this, field, bricks](std::size_t b, std::uint64_t first, std::span<float> out) {
+                sampleBrick(*field, set_.worldFromVoxel, (*bricks)[b], first, out);
+            });
+        }
+        return streamed;
+    }
+
 private:
+    /// The model without fields.
+    Model grid(const Executor& executor, Progress& progress) const
+    {
+        Model model;
+        model.name = set_.name;
+        model.worldFromVoxel = set_.worldFromVoxel;
+        model.bricks = refineBlocks(set_, executor, progress);
+        progress.begin("merging bricks", 0);
+        mergeBoxes(model.bricks, BrickBuilderConfig().maxBrickWidth, progress);
+        model.cellCount = model.bricks.back().begin + model.bricks.back().cellCount();
+        progress.end();
+        return model;
+    }
+
     const ProceduralField& fieldNamed(const std::string& name) const
     {
         const auto it = std::ranges::find(set_.fields, name, &ProceduralField::name);

@@ -32,7 +32,7 @@ void checkMesh(const InputFile& file, std::size_t index, const TriangleMesh& mes
 {
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
         const vec3f v = mesh.vertices[i];
-        if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
+        if (!isFinite(vec3d(v)))
             throw Error(file.path(), fmt::format("mesh {}, vertex {}: expected finite numbers, found ({},{},{})", index,
                                                  i, v.x, v.y, v.z));
     }

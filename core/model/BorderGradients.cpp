@@ -110,7 +110,7 @@ public:
     {
         const Brick& own = bricks[brick];
         lower_ = own.lower + cell * width_;
-        value_ = valuesAt(slotOf(own, cell));
+        value_ = valuesAt(own.slotOf(cell));
         index.overlapping({lower_ - 2 * width_, lower_ + 3 * width_},
                           [&](std::uint32_t b, const Box3i&) { near_.push_back(b); });
     }
@@ -126,12 +126,6 @@ public:
     }
 
 private:
-    static std::uint64_t slotOf(const Brick& brick, const vec3i& cell)
-    {
-        return brick.begin + std::uint64_t(cell.x) +
-               std::uint64_t(brick.size.x) * (std::uint64_t(cell.y) + std::uint64_t(brick.size.y) * cell.z);
-    }
-
     vec3d valuesAt(std::uint64_t slot) const
     {
         vec3d values(0.0);
@@ -174,7 +168,7 @@ private:
     void addCoarser(const Brick& brick, const Box3i& box)
     {
         const vec3i cell = (box.lower - brick.lower) / brick.cellWidth();
-        const std::uint64_t slot = slotOf(brick, cell);
+        const std::uint64_t slot = brick.slotOf(cell);
         if (std::find(coarser_.begin(), coarser_.end(), slot) != coarser_.end())
             return;
         coarser_.push_back(slot);
@@ -197,7 +191,7 @@ private:
     {
         const int w = brick.cellWidth();
         const vec3d offset = (vec3d(brick.lower + cell * w - lower_) + 0.5 * (w - width_)) / double(width_);
-        neighbour.add(offset, valuesAt(slotOf(brick, cell)) - value_);
+        neighbour.add(offset, valuesAt(brick.slotOf(cell)) - value_);
     }
 
     std::span<const Brick> bricks_;

@@ -214,8 +214,7 @@ BrickLayout mergeBricks(std::span<const Brick> bricks, const BrickBuilderConfig&
         merged.overlapping({lower, lower + b.cellWidth()}, [&](std::uint32_t m, const Box3i&) {
             const Brick& into = layout.bricks[m];
             const vec3i c = (lower - into.lower) / into.cellWidth();
-            const std::uint64_t first =
-                into.begin + std::uint64_t(c.x) + std::uint64_t(into.size.x) * (c.y + std::uint64_t(into.size.y) * c.z);
+            const std::uint64_t first = into.slotOf(c);
             for (int x = 0; x < b.size.x; ++x)
                 layout.source[first + std::uint64_t(x)] = std::uint32_t(slot + std::uint64_t(x));
         });

@@ -79,8 +79,7 @@ private:
         for (int z = lower.z; z < upper.z; ++z)
             for (int y = lower.y; y < upper.y; ++y) {
                 const vec3i c = vec3i(lower.x, y, z) - offset;
-                const std::size_t from =
-                    source.begin + c.x + std::size_t(source.size.x) * (c.y + std::size_t(source.size.y) * c.z);
+                const std::uint64_t from = source.slotOf(c);
                 for (std::size_t f = 0; f < fields.size(); ++f)
                     std::copy_n(fields[f].data() + from, upper.x - lower.x, values_[f].data() + slot({lower.x, y, z}));
             }
@@ -115,8 +114,7 @@ public:
         for (int z = 0; z < tile.size.z; ++z)
             for (int y = 0; y < tile.size.y; ++y) {
                 const vec3i c = tile.lower + vec3i(0, y, z);
-                float* out = out_.data() + brick.begin + c.x +
-                             std::size_t(brick.size.x) * (c.y + std::size_t(brick.size.y) * c.z);
+                float* out = out_.data() + brick.slotOf(c);
                 for (int x = 0; x < tile.size.x; ++x) {
                     std::array<vec3d, 3> gradients;
                     if (centralDifferences(padded, {x, y, z}, gradients))

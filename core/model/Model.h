@@ -41,6 +41,11 @@ struct Brick
 
     std::uint64_t cellCount() const { return std::uint64_t(size.x) * size.y * size.z; }
     int cellWidth() const { return 1 << level; }
+    /// The index of a cell's value in Field::values; `cell` counts from the brick's lower corner.
+    std::uint64_t slotOf(const vec3i& cell) const
+    {
+        return begin + std::uint64_t(cell.x) + std::uint64_t(size.x) * (cell.y + std::uint64_t(size.y) * cell.z);
+    }
     /// The brick's box in voxel space, upper exclusive.
     Box3i box() const { return {lower, lower + size * cellWidth()}; }
 };

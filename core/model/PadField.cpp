@@ -1,17 +1,18 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
+#include "brickwall/core/model/PadField.h"
+
 #include "brickwall/core/base/LargeArray.h"
 #include "brickwall/core/model/BrickIndex.h"
-#include "brickwall/core/model/Half.h"
-#include "brickwall/core/model/Regions.h"
+#include "brickwall/core/model/RegionValues.h"
 
-#include <glm/geometric.hpp>
+#include <glm/common.hpp>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
+#include <functional>
 #include <limits>
+#include <utility>
 
 namespace brickwall {
 namespace {
@@ -31,25 +32,26 @@ public:
         return values_[std::size_t(c.x + 1) + std::size_t(n.x) * (std::size_t(c.y + 1) + std::size_t(n.y) * (c.z + 1))];
     }
 
-    void fillAbsent() const
+    /// Takes the brick's own cells and leaves the layer around them absent.
+    void fill(const float* own) const
     {
         const vec3i n = brick_.paddedSize();
         std::fill_n(values_, std::size_t(n.x) * n.y * n.z, absent);
+        for (int z = 0; z < brick_.size.z; ++z)
+            for (int y = 0; y < brick_.size.y; ++y, own += brick_.size.x)
+                std::copy_n(own, brick_.size.x, &at({0, y, z}));
     }
 
-    /// Copies the cells that a brick of the same level has in the padded box.
-    void copyFrom(const Brick& source, const float* sourceValues) const
+    /// Copies the own cells of another brick of the same level that lie in this one's layer. They are written to by
+    /// nobody, so that any number of bricks may do this at the same time.
+    void copyFrom(const Padded& other) const
     {
-        const vec3i offset = (source.lower - brick_.lower) / brick_.cellWidth();
+        const vec3i offset = (other.brick_.lower - brick_.lower) / brick_.cellWidth();
         const vec3i lower = glm::max(vec3i(-1), offset);
-        const vec3i upper = glm::min(brick_.size + 1, offset + source.size);
+        const vec3i upper = glm::min(brick_.size + 1, offset + other.brick_.size);
         for (int z = lower.z; z < upper.z; ++z)
-            for (int y = lower.y; y < upper.y; ++y) {
-                const vec3i c = vec3i(lower.x, y, z) - offset;
-                const float* row = sourceValues + source.begin + c.x +
-                                   std::size_t(source.size.x) * (c.y + std::size_t(source.size.y) * c.z);
-                std::copy_n(row, upper.x - lower.x, &at({lower.x, y, z}));
-            }
+            for (int y = lower.y; y < upper.y; ++y)
+                std::copy_n(&other.at(vec3i(lower.x, y, z) - offset), upper.x - lower.x, &at({lower.x, y, z}));
     }
 
     /// Gives every absent pad cell a value from inside. Corners first, then edges, then faces: each looks at cells that
@@ -94,102 +96,67 @@ private:
     float* values_;
 };
 
-Range rangeOfCells(const PaddedBrick& brick, const float* values, const vec3i& lower, const vec3i& upper)
+/// How many padded values are made at a time while those of the field are given back.
+constexpr std::uint64_t valuesAtOnce = std::uint64_t(16) << 20;
+
+/// The field's values with absent ones around each brick's, brick by brick in their order. `release` gives them back.
+std::vector<float> spread(const std::vector<float>& values, std::span<const Brick> bricks, const RegionTree& tree,
+                          const std::function<void(std::uint64_t begin, std::uint64_t end)>& release,
+                          const Executor& executor, Progress& progress)
 {
-    const vec3i n = brick.paddedSize();
-    Range range;
-    for (int z = lower.z; z < upper.z; ++z)
-        for (int y = lower.y; y < upper.y; ++y) {
-            const float* row = values + brick.begin + (lower.x + 1) +
-                               std::size_t(n.x) * (std::size_t(y + 1) + std::size_t(n.y) * (z + 1));
-            const auto [lo, hi] = std::minmax_element(row, row + (upper.x - lower.x));
-            range.extend({*lo, *hi});
+    std::vector<float> padded = roomForLargeArray(tree.paddedCellCount);
+    for (std::size_t first = 0, last = 0; first < bricks.size(); first = last) {
+        const auto endOf = [&](std::size_t brick) {
+            return brick + 1 < bricks.size() ? tree.bricks[brick + 1].begin : tree.paddedCellCount;
+        };
+        while (last < bricks.size() && (last == first || endOf(last) <= tree.bricks[first].begin + valuesAtOnce))
+            ++last;
+        growLargeArray(padded, endOf(last - 1), executor);
+        executor.forEach(last - first, 16, [&](std::size_t begin, std::size_t end) {
+            progress.check();
+            for (std::size_t b = first + begin; b < first + end; ++b)
+                Padded(tree.bricks[b], padded.data() + tree.bricks[b].begin).fill(values.data() + bricks[b].begin);
+        });
+        release(bricks[first].begin, bricks[last - 1].begin + bricks[last - 1].cellCount());
+        progress.advance(last - first);
+    }
+    return padded;
+}
+
+void fillLayers(std::vector<float>& padded, std::span<const Brick> bricks, const RegionTree& tree,
+                const Executor& executor, Progress& progress)
+{
+    const BrickIndex index(bricks);
+    const auto valuesOf = [&](std::size_t b) { return Padded(tree.bricks[b], padded.data() + tree.bricks[b].begin); };
+    executor.forEach(bricks.size(), 16, [&](std::size_t begin, std::size_t end) {
+        progress.check();
+        for (std::size_t b = begin; b < end; ++b) {
+            const Padded target = valuesOf(b);
+            const Box3i box = bricks[b].box();
+            const int w = bricks[b].cellWidth();
+            index.overlapping({box.lower - w, box.upper + w}, [&](std::uint32_t n, const Box3i&) {
+                if (n != b && bricks[n].level == bricks[b].level)
+                    target.copyFrom(valuesOf(n));
+            });
+            target.clampAbsent();
         }
-    return range;
-}
-
-/// Calls visit(axis, row, stride, count) for every row of cells that have a neighbour `stride` further, along all axes.
-template <class Visit>
-void forNeighbours(const PaddedBrick& brick, const float* values, const vec3i& lower, const vec3i& upper,
-                   const Visit& visit)
-{
-    const vec3i n = brick.paddedSize();
-    const std::size_t stride[3] = {1, std::size_t(n.x), std::size_t(n.x) * n.y};
-    for (int axis = 0; axis < 3; ++axis) {
-        vec3i end = upper;
-        --end[axis];
-        for (int z = lower.z; z < end.z; ++z)
-            for (int y = lower.y; y < end.y; ++y) {
-                const float* row =
-                    values + brick.begin + (lower.x + 1) + (std::size_t(y + 1) * n.x + std::size_t(z + 1) * stride[2]);
-                visit(axis, row, stride[axis], end.x - lower.x);
-            }
-    }
-}
-
-/// The largest difference of neighbours along each axis, as the length of a vector.
-float largestDifference(const PaddedBrick& brick, const float* values, const vec3i& lower, const vec3i& upper)
-{
-    vec3f largest(0.0f);
-    forNeighbours(brick, values, lower, upper, [&](int axis, const float* row, std::size_t stride, int count) {
-        float most = 0.0f;
-        for (int x = 0; x < count; ++x)
-            most = std::max(most, std::abs(row[x + stride] - row[x]));
-        largest[axis] = std::max(largest[axis], most);
+        progress.advance(end - begin);
     });
-    return static_cast<float>(glm::length(vec3d(largest))); // squares of floats may vanish
 }
 
-/// The same of the logarithms of positive values, from their bits, which rise with the logarithm at 1 to 2 times 2^23:
-/// at least the mean change between two neighbours, and up to twice that.
-float largestLogDifference(const PaddedBrick& brick, const float* values, const vec3i& lower, const vec3i& upper)
+PaddedField pad(const Field& field, std::span<const Brick> bricks, const RegionTree& tree,
+                const std::function<void(std::uint64_t, std::uint64_t)>& release, const Executor& executor,
+                Progress& progress)
 {
-    vec3f largest(0.0f);
-    forNeighbours(brick, values, lower, upper, [&](int axis, const float* row, std::size_t stride, int count) {
-        std::int32_t most = 0;
-        for (int x = 0; x < count; ++x)
-            most = std::max(
-                most, std::abs(std::bit_cast<std::int32_t>(row[x + stride]) - std::bit_cast<std::int32_t>(row[x])));
-        largest[axis] = std::max(largest[axis], float(most) * 0x1p-23f);
-    });
-    return glm::length(largest);
-}
-
-struct RegionValues
-{
-    Range range;
-    float slope = 0.0f;
-    float logSlope = 0.0f;
-};
-
-/// Of the cells whose tents reach the region: the padded cells of a single brick's stencils, or the listed bricks' own
-/// cells.
-RegionValues valuesOfRegion(const Region& region, const RegionTree& tree, const float* values)
-{
-    RegionValues result;
-    Range& range = result.range;
-    for (std::uint32_t i = 0; i < region.brickCount; ++i) {
-        const PaddedBrick& brick = tree.bricks[tree.brickLists[region.firstBrick + i]];
-        const Box3i reaching = half::cellsReaching({region.lower, region.upper}, brick.level);
-        const vec3i first = brick.lower / brick.cellWidth();
-        const int pad = region.brickCount == 1 ? 1 : 0;
-        const vec3i lower = glm::max(reaching.lower - first, vec3i(-pad));
-        const vec3i upper = glm::min(reaching.upper - first, brick.size + pad);
-        range.extend(rangeOfCells(brick, values, lower, upper));
-        if (region.brickCount == 1) {
-            const float width = static_cast<float>(brick.cellWidth());
-            result.slope = largestDifference(brick, values, lower, upper) / width;
-            if (range.lo > 0.0f)
-                result.logSlope = largestLogDifference(brick, values, lower, upper) / width;
-        }
-    }
-    if (region.brickCount > 1) { // the weights change by up to their own size per cell along each axis
-        const float perWidth = 4.0f / static_cast<float>(1 << region.finestLevel);
-        result.slope = perWidth * range.span();
-        if (range.lo > 0.0f)
-            result.logSlope = perWidth * std::log(range.hi / range.lo);
-    }
-    return result;
+    PaddedField padded;
+    padded.range = field.range;
+    progress.begin("padding bricks", 2 * bricks.size());
+    padded.values = spread(field.values, bricks, tree, release, executor, progress);
+    fillLayers(padded.values, bricks, tree, executor, progress);
+    progress.begin("finding value ranges", tree.regions.size());
+    findRegionValues(tree, executor, progress, padded);
+    progress.end();
+    return padded;
 }
 
 } // namespace
@@ -197,44 +164,18 @@ RegionValues valuesOfRegion(const Region& region, const RegionTree& tree, const 
 PaddedField padField(const Field& field, std::span<const Brick> bricks, const RegionTree& tree,
                      const Executor& executor, Progress& progress)
 {
-    PaddedField padded;
-    padded.range = field.range;
-    padded.values = makeLargeArray(tree.paddedCellCount, executor);
-    progress.begin("padding bricks", bricks.size());
-    const BrickIndex index(bricks);
-    executor.forEach(bricks.size(), 16, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t b = begin; b < end; ++b) {
-            progress.check();
-            const Padded target(tree.bricks[b], padded.values.data() + tree.bricks[b].begin);
-            target.fillAbsent();
-            const Box3i box = bricks[b].box();
-            const int w = bricks[b].cellWidth();
-            index.overlapping({box.lower - w, box.upper + w}, [&](std::uint32_t n, const Box3i&) {
-                if (bricks[n].level == bricks[b].level)
-                    target.copyFrom(bricks[n], field.values.data());
-            });
-            target.clampAbsent();
-        }
-        progress.advance(end - begin);
-    });
+    return pad(
+        field, bricks, tree, [](std::uint64_t, std::uint64_t) {}, executor, progress);
+}
 
-    padded.regionRanges.resize(tree.regions.size());
-    padded.regionSlopes.resize(tree.regions.size());
-    padded.regionLogSlopes.resize(tree.regions.size());
-    progress.begin("finding value ranges", tree.regions.size());
-    executor.forEach(tree.regions.size(), 64, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t r = begin; r < end; ++r) {
-            if (r % 64 == 0)
-                progress.check();
-            const RegionValues found = valuesOfRegion(tree.regions[r], tree, padded.values.data());
-            padded.regionRanges[r] = found.range;
-            padded.regionSlopes[r] = found.slope;
-            padded.regionLogSlopes[r] = found.logSlope;
-        }
-        progress.advance(end - begin);
-    });
-    progress.end();
-    return padded;
+PaddedField padField(Field&& field, std::span<const Brick> bricks, const RegionTree& tree, const Executor& executor,
+                     Progress& progress)
+{
+    Field taken = std::move(field);
+    const auto release = [&](std::uint64_t begin, std::uint64_t end) {
+        releaseValues(std::span(taken.values).subspan(begin, end - begin));
+    };
+    return pad(taken, bricks, tree, release, executor, progress);
 }
 
 } // namespace brickwall

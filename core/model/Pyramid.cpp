@@ -45,11 +45,6 @@ struct Plan
     std::vector<std::array<std::uint64_t, 8>> slots; ///< per cell, those whose mean it gets
 };
 
-std::uint64_t slotOf(const Brick& b, const vec3i& cell)
-{
-    return b.begin + std::uint64_t(cell.x) + std::uint64_t(b.size.x) * (cell.y + std::uint64_t(b.size.y) * cell.z);
-}
-
 /// The cells of the next level that the brick fills on its own, counted from the origin; may be empty.
 Box3i filledParents(const Brick& b)
 {
@@ -68,7 +63,7 @@ void addLoose(const Brick& b, const Box3i& filled, std::vector<LooseCell>& loose
                     x = 2 * filled.upper.x - first.x - 1; // on to the last one of the row that is averaged
                     continue;
                 }
-                loose.push_back({parent, b.lower + (cell << b.level), slotOf(b, cell)});
+                loose.push_back({parent, b.lower + (cell << b.level), b.slotOf(cell)});
             }
 }
 
@@ -139,7 +134,7 @@ void average(const Brick& from, const vec3i& firstCell, const Brick& to, const f
             for (int x = 0; x < to.size.x; ++x) {
                 double sum = 0.0;
                 for (int i = 0; i < 8; ++i)
-                    sum += double(source[slotOf(from, firstCell + 2 * vec3i(x, y, z) + corner(i))]);
+                    sum += double(source[from.slotOf(firstCell + 2 * vec3i(x, y, z) + corner(i))]);
                 *target++ = static_cast<float>(0.125 * sum);
             }
 }

@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <utility>
 
@@ -30,6 +32,14 @@ struct Subtree
     std::vector<Region> regions;
     std::vector<std::uint32_t> brickLists;
     int depth = 0;
+};
+
+/// A node of the upper part of the tree, with two parts below it, or a subtree that was built by one thread.
+struct Part
+{
+    SplitPlane plane; ///< axis -1: a subtree
+    std::unique_ptr<Part> lower, upper;
+    Subtree tree;
 };
 
 KdNode innerNode(const SplitPlane& plane, std::size_t child)
@@ -59,21 +69,23 @@ public:
     {
     }
 
-    Subtree build(const Box3i& box, const std::vector<std::uint32_t>& bricks, int depth) const
+    std::unique_ptr<Part> build(const Box3i& box, const std::vector<std::uint32_t>& bricks, int depth) const
     {
-        if (bricks.size() < parallelBricks)
-            return buildSerially(box, bricks, depth);
-        progress_.check();
-        RegionPlaneChooser chooser(supports_);
-        const RegionLeaf leaf = regionLeaf(box, bricks, supports_);
-        const SplitPlane plane = split(box, bricks, depth, leaf, chooser);
-        if (plane.axis < 0)
-            return buildSerially(box, bricks, depth);
-        const auto parts = halves(box, plane); // clang 14 captures no names of a structured binding
-        Subtree a, b;
-        executor_.both([&] { a = build(parts.first, overlapping(parts.first, bricks), depth + 1); },
-                       [&] { b = build(parts.second, overlapping(parts.second, bricks), depth + 1); });
-        return join(plane, std::move(a), b, depth);
+        auto part = std::make_unique<Part>();
+        if (bricks.size() >= parallelBricks) {
+            progress_.check();
+            RegionPlaneChooser chooser(supports_);
+            const RegionLeaf leaf = regionLeaf(box, bricks, supports_);
+            part->plane = split(box, bricks, depth, leaf, chooser);
+        }
+        if (part->plane.axis < 0) {
+            part->tree = buildSerially(box, bricks, depth);
+            return part;
+        }
+        const auto boxes = halves(box, part->plane); // clang 14 captures no names of a structured binding
+        executor_.both([&] { part->lower = build(boxes.first, overlapping(boxes.first, bricks), depth + 1); },
+                       [&] { part->upper = build(boxes.second, overlapping(boxes.second, bricks), depth + 1); });
+        return part;
     }
 
 private:
@@ -152,40 +164,75 @@ private:
         return kept;
     }
 
-    /// The root, both children's roots, then the rest of the lower side, then that of the upper.
-    static Subtree join(const SplitPlane& plane, Subtree a, const Subtree& b, int depth)
+    std::span<const Support> supports_;
+    const Executor& executor_;
+    Progress& progress_;
+};
+
+/// Puts parts together, each once: in the order in which one thread would have built all of it. What has been taken
+/// over is gone from the part, so that memory is that of one tree and a little.
+class Assembly
+{
+public:
+    explicit Assembly(RegionTree& tree) : tree_(tree) {}
+
+    void assemble(Part& root)
     {
-        checkCounts(a.nodes.size() + b.nodes.size() + 1, a.brickLists.size() + b.brickLists.size());
-        Subtree tree;
-        tree.depth = std::max({depth, a.depth, b.depth});
-        tree.nodes.reserve(a.nodes.size() + b.nodes.size() + 1);
-        tree.nodes.push_back(innerNode(plane, 1));
-        const auto moved = [](KdNode n, std::size_t nodes, std::size_t regions) {
+        count(root);
+        checkCounts(nodes_, listed_);
+        tree_.nodes.reserve(nodes_);
+        tree_.regions.reserve(regions_);
+        tree_.brickLists.reserve(listed_);
+        tree_.nodes.emplace_back();
+        take(root, 0);
+    }
+
+private:
+    void count(const Part& part)
+    {
+        nodes_ += part.plane.axis < 0 ? part.tree.nodes.size() : 1;
+        regions_ += part.tree.regions.size();
+        listed_ += part.tree.brickLists.size();
+        if (part.plane.axis < 0)
+            return;
+        count(*part.lower);
+        count(*part.upper);
+    }
+
+    void take(Part& part, std::size_t slot)
+    {
+        if (part.plane.axis < 0)
+            return take(part.tree, slot);
+        const std::size_t child = tree_.nodes.size();
+        tree_.nodes.resize(child + 2);
+        tree_.nodes[slot] = innerNode(part.plane, child);
+        take(*part.lower, child);
+        part.lower.reset();
+        take(*part.upper, child + 1);
+        part.upper.reset();
+    }
+
+    void take(const Subtree& part, std::size_t slot)
+    {
+        const std::size_t nodes = tree_.nodes.size() - 1, regions = tree_.regions.size(); // but for its root
+        const auto listed = std::uint32_t(tree_.brickLists.size());
+        const auto moved = [&](KdNode n) {
             if (n.axis != 3 || n.child != KdNode::emptyLeaf)
                 n.child = (n.child + std::uint32_t(n.axis != 3 ? nodes : regions)) & KdNode::emptyLeaf;
             return n;
         };
-        const std::size_t aNodes = 2, bNodes = 1 + a.nodes.size(), bRegions = a.regions.size();
-        tree.nodes.push_back(moved(a.nodes[0], aNodes, 0));
-        tree.nodes.push_back(moved(b.nodes[0], bNodes, bRegions));
-        for (std::size_t i = 1; i < a.nodes.size(); ++i)
-            tree.nodes.push_back(moved(a.nodes[i], aNodes, 0));
-        for (std::size_t i = 1; i < b.nodes.size(); ++i)
-            tree.nodes.push_back(moved(b.nodes[i], bNodes, bRegions));
-        tree.regions = std::move(a.regions);
-        tree.brickLists = std::move(a.brickLists);
-        const auto listed = std::uint32_t(tree.brickLists.size());
-        for (Region r : b.regions) {
-            r.firstBrick += listed;
-            tree.regions.push_back(r);
+        tree_.nodes[slot] = moved(part.nodes[0]);
+        std::transform(part.nodes.begin() + 1, part.nodes.end(), std::back_inserter(tree_.nodes), moved);
+        for (Region region : part.regions) {
+            region.firstBrick += listed;
+            tree_.regions.push_back(region);
         }
-        tree.brickLists.insert(tree.brickLists.end(), b.brickLists.begin(), b.brickLists.end());
-        return tree;
+        tree_.brickLists.insert(tree_.brickLists.end(), part.brickLists.begin(), part.brickLists.end());
+        tree_.depth = std::max(tree_.depth, part.depth);
     }
 
-    std::span<const Support> supports_;
-    const Executor& executor_;
-    Progress& progress_;
+    RegionTree& tree_;
+    std::size_t nodes_ = 0, regions_ = 0, listed_ = 0;
 };
 
 } // namespace
@@ -212,12 +259,8 @@ RegionTree buildRegions(std::span<const Brick> bricks, const Executor& executor,
     }
     std::vector<std::uint32_t> all(bricks.size());
     std::iota(all.begin(), all.end(), 0u);
-    Subtree tree = Builder(supports, executor, progress).build(result.bounds, all, 0);
-    checkCounts(tree.nodes.size(), tree.brickLists.size());
-    result.nodes = std::move(tree.nodes);
-    result.regions = std::move(tree.regions);
-    result.brickLists = std::move(tree.brickLists);
-    result.depth = tree.depth;
+    const std::unique_ptr<Part> root = Builder(supports, executor, progress).build(result.bounds, all, 0);
+    Assembly(result).assemble(*root);
     progress.end();
     return result;
 }

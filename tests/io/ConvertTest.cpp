@@ -8,6 +8,9 @@
 #include <atomic>
 #include <fstream>
 #include <limits>
+#include <memory>
+#include <optional>
+#include <span>
 
 namespace brickwall {
 namespace {
@@ -225,6 +228,47 @@ TEST_P(Convert, IsTheSameWithAnyNumberOfThreads)
         return bytes;
     };
     EXPECT_EQ(bytesAfter(1), bytesAfter(3));
+}
+
+/// A data set that is never loaded.
+class OnlyStreamed : public ModelData
+{
+public:
+    using ModelData::ModelData;
+    Model load(std::span<const std::string>, const Executor&, Progress&, NonFinite) const override
+    {
+        throw Error("test", "was loaded");
+    }
+    std::optional<StreamedModel> stream(std::span<const std::string> fields, const Executor& executor,
+                                        Progress& progress) const override
+    {
+        auto whole = std::make_shared<Model>(ModelData::load(fields, executor, progress, NonFinite::error));
+        StreamedModel streamed{*whole, {}};
+        for (std::size_t f = 0; f < fields.size(); ++f) {
+            streamed.model.fields[f].values = {};
+            streamed.values.push_back([whole, f](std::size_t brick, std::uint64_t first, std::span<float> out) {
+                std::copy_n(whole->fields[f].values.begin() + std::ptrdiff_t(whole->bricks[brick].begin + first),
+                            out.size(), out.begin());
+            });
+        }
+        return streamed;
+    }
+};
+
+TEST_P(Convert, StreamsWhatNeedNotBeInMemory)
+{
+    const OnlyStreamed source(oracleModel());
+    ConvertOptions options;
+    options.overwrite = true;
+    convertTo(destination(), source, options);
+    if (!canBeRead(destination()))
+        GTEST_SKIP() << "there is no reader for " << GetParam();
+    expectSame(loaded(*openDataSet(destination()), openDataSet(destination())->fieldNames()), oracleModel());
+    options.cells.box = Box3d{vec3d(-1, -2.4, 1e5), vec3d(9, -1, 2e5)}; // cuts bricks
+    convertTo(destination(), source, options);
+    const Model cut = loadData(destination());
+    convertTo(destination(), ModelData(oracleModel()), options);
+    expectSame(cut, loadData(destination()));
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, Convert, testing::Values(".exa", ".vdb", ".vthb", ".brickwall"),

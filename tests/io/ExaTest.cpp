@@ -57,6 +57,31 @@ TEST_F(Exa, BringsBricksAndFieldsInTheirOrder)
     EXPECT_TRUE(model.notes.empty());
 }
 
+// Values are read from where the IDs of a brick lie in the file; these lie all over it.
+TEST_F(Exa, ReadsValuesWhosePlacesInTheFileAreFarApart)
+{
+    constexpr int cells = 20000, spread = 7919; // a prime: every ID once
+    BrickRecord scattered{{cells, 1, 1}, {0, 0, 0}, 0, {}}, swapped{{cells, 1, 1}, {0, 1, 0}, 0, {}};
+    std::vector<float> values;
+    for (int i = 0; i < cells; ++i) {
+        scattered.ids.push_back(int(std::int64_t(i) * spread % cells));
+        swapped.ids.push_back(cells + (i ^ 1));
+    }
+    for (int i = 0; i < 2 * cells; ++i)
+        values.push_back(static_cast<float>(i));
+    BrickRecord few{{3, 1, 1}, {0, 2, 0}, 0, {0, 2 * cells - 1, cells}};
+    writeBricks(folder_ + "/t.bricks", std::vector<BrickRecord>{scattered, swapped, few});
+    writeScalars(folder_ + "/a.scalars", values);
+    const Model model = loadData(exa("scalar a a.scalars\nbricks t.bricks\n"));
+    ASSERT_EQ(model.cellCount, std::uint64_t(2 * cells + 3));
+    for (int i = 0; i < cells; ++i) {
+        ASSERT_EQ(model.fields[0].values[std::size_t(i)], float(scattered.ids[std::size_t(i)]));
+        ASSERT_EQ(model.fields[0].values[std::size_t(cells + i)], float(swapped.ids[std::size_t(i)]));
+    }
+    EXPECT_EQ(model.fields[0].values[2 * cells + 1], float(2 * cells - 1));
+    EXPECT_EQ(model.fields[0].range, (Range{0.0f, float(2 * cells - 1)}));
+}
+
 // The original reader loses a last line that has no end, wants "./" before a bare name, and cannot open absolute paths.
 TEST_F(Exa, ReadsWhatTheOriginalCannot)
 {

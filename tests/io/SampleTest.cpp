@@ -77,6 +77,28 @@ TEST_P(SampleNamed, IsTheSameOnOneAndTwoThreads)
     EXPECT_EQ(one.fields[0].range, two.fields[0].range);
 }
 
+TEST_P(SampleNamed, StreamsWhatItLoads)
+{
+    const auto set = openDataSet(std::string("sample:") + GetParam() + ":60k");
+    const auto names = set->fieldNames();
+    Progress silent;
+    const Model loaded = set->load(names, Executor(2), silent);
+    const auto streamed = set->stream(names, Executor(2), silent);
+    ASSERT_TRUE(streamed);
+    ASSERT_EQ(streamed->model.bricks.size(), loaded.bricks.size());
+    for (std::size_t f = 0; f < names.size(); ++f)
+        for (std::size_t b = 0; b < loaded.bricks.size(); ++b) {
+            const Brick& brick = loaded.bricks[b];
+            ASSERT_EQ(streamed->model.bricks[b].lower, brick.lower);
+            for (const std::uint64_t first : {std::uint64_t(0), brick.cellCount() / 3, brick.cellCount() - 1}) {
+                std::vector<float> out(std::min<std::uint64_t>(brick.cellCount() - first, 700));
+                streamed->values[f](b, first, out);
+                for (std::size_t i = 0; i < out.size(); ++i)
+                    ASSERT_EQ(out[i], loaded.fields[f].values[brick.begin + first + i]) << names[f] << ", brick " << b;
+            }
+        }
+}
+
 TEST_P(SampleNamed, HasAboutTheCellsThatWereAskedFor)
 {
     for (const auto& [size, cells] : {std::pair{"50k", 50e3}, {"120k", 120e3}, {"400000", 400e3}}) {

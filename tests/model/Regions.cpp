@@ -5,6 +5,7 @@
 #include "Layouts.h"
 
 #include "brickwall/core/model/CheckModel.h"
+#include "brickwall/core/model/PadField.h"
 #include "brickwall/tests/oracles/ReferenceReconstruction.h"
 
 #include <gtest/gtest.h>
@@ -71,6 +72,15 @@ protected:
 TEST_P(RegionsOf, ALayoutThatIsAModel)
 {
     EXPECT_NO_THROW(checkBricks(bricks, "layout"));
+}
+
+TEST_P(RegionsOf, PadAFieldThatGoesAsOneThatStays)
+{
+    Field goes = field;
+    const PaddedField consumed = padField(std::move(goes), bricks, tree, Executor(3), silent);
+    EXPECT_EQ(consumed.values, padded.values);
+    EXPECT_EQ(consumed.regionRanges, padded.regionRanges);
+    EXPECT_EQ(consumed.range, padded.range);
 }
 
 TEST_P(RegionsOf, TileTheUnionOfSupports)
