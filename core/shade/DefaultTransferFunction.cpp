@@ -14,9 +14,8 @@
 namespace brickwall {
 namespace {
 
-using Sample = std::vector<SampledCell>;
+using Sample = std::span<const SampledCell>;
 
-constexpr std::uint64_t sampleSize = 1000000;
 constexpr std::size_t knotCount = 64;
 using Knots = std::array<double, knotCount>;
 
@@ -36,7 +35,7 @@ bool spansDecades(const Range& r)
 }
 
 /// Without outliers, if they alone would make the range three times as wide.
-Range robust(const Range& full, const Sample& sample, bool logarithmic)
+Range robust(const Range& full, Sample sample, bool logarithmic)
 {
     constexpr double tail = 0.0005;
     std::vector<float> values;
@@ -65,7 +64,7 @@ Range around(float v)
 }
 
 /// The volume near each knot, as part of the largest such volume.
-Knots commonness(const TransferFunction& tf, const Sample& sample)
+Knots commonness(const TransferFunction& tf, Sample sample)
 {
     Knots volume{};
     for (const SampledCell& s : sample) {
@@ -112,7 +111,7 @@ Knots rarity(const Knots& common)
 }
 
 /// The extinction of all cells together, each by its volume.
-double totalExtinction(const Sample& sample, const TransferFunction& tf)
+double totalExtinction(Sample sample, const TransferFunction& tf)
 {
     double sum = 0.0;
     for (const SampledCell& s : sample)
@@ -129,7 +128,7 @@ double depthOf(const Model& model, double total)
 }
 
 /// Sets the extinction: `shape` and an even haze, scaled to the depth wanted.
-void setExtinction(TransferFunction& tf, const Knots& shape, const Model& model, const Sample& sample)
+void setExtinction(TransferFunction& tf, const Knots& shape, const Model& model, Sample sample)
 {
     tf.kind = TransferFunction::Kind::extinction;
     const auto set = [&](double scale, double haze) {
@@ -171,18 +170,26 @@ std::string explain(const Field& field, const TransferFunction& tf, const Knots&
 
 double meanOpticalDepth(const Model& model, const Field& field, const TransferFunction& tf)
 {
-    return depthOf(model, totalExtinction(sampleCells(model, field, sampleSize), tf));
+    return depthOf(model, totalExtinction(sampleCells(model, field, sampledForDefault), tf));
 }
 
 DefaultChoice chooseTransferFunction(const Model& model, const Field& field, std::string_view colorMapName)
 {
-    const Sample sample = sampleCells(model, field, sampleSize);
+    Field known = Field{field.name, field.unit, {}, field.range, field.preferredRange};
+    if (known.range.empty())
+        known.range = rangeOf(field.values);
+    return chooseTransferFunction(model, known, sampleCells(model, field, sampledForDefault), colorMapName);
+}
+
+DefaultChoice chooseTransferFunction(const Model& model, const Field& field, std::span<const SampledCell> sample,
+                                     std::string_view colorMapName)
+{
     if (sample.empty())
         throw Error(field.name, "the field has no values to choose a transfer function from");
     DefaultChoice choice;
     TransferFunction& tf = choice.tf;
     tf.colors = colorMap(colorMapName);
-    const Range full = field.range.empty() ? rangeOf(field.values) : field.range;
+    const Range full = field.range;
     if (full.lo == full.hi) {
         tf.range = around(full.lo);
         setExtinction(tf, Knots{}, model, sample);

@@ -2,8 +2,11 @@
 #pragma once
 
 #include "brickwall/core/model/Model.h"
+#include "brickwall/core/shade/CellSample.h"
 #include "brickwall/core/shade/TransferFunction.h"
 
+#include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -28,6 +31,14 @@ struct DefaultChoice
 /// for a field without values and for an unknown colour map.
 DefaultChoice chooseTransferFunction(const Model& model, const Field& field,
                                      std::string_view colorMapName = "Cool Warm");
+
+/// The same for cells that have been sampled already, sampledForDefault or all there are: the field's values are not
+/// looked at, and its range is known.
+DefaultChoice chooseTransferFunction(const Model& model, const Field& field, std::span<const SampledCell> sample,
+                                     std::string_view colorMapName);
+
+/// How many cells a default looks at.
+inline constexpr std::uint64_t sampledForDefault = 1000000;
 
 /// The optical depth of a ray through the whole data, on average: the mean extinction over the box of the bricks (holes
 /// count as transparent) times the box's diagonal, in finest cells.

@@ -65,6 +65,30 @@ double extinctionAtT(const TransferFunction& tf, double t)
     return -std::log1p(-std::min(value, double(TransferFunction::opacityCap))) / tf.referenceLength;
 }
 
+double normalizedIn(const Range& range, Scale scale, double value)
+{
+    const double lo = range.lo, hi = range.hi;
+    if (scale == Scale::linear)
+        return (value - lo) / (hi - lo);
+    if (value <= 0.0)
+        return -std::numeric_limits<double>::infinity();
+    return (std::log(value) - std::log(lo)) / (std::log(hi) - std::log(lo));
+}
+
+void checkRange(const Range& range, Scale scale, const std::string& place)
+{
+    const auto& [lo, hi] = range;
+    if (!(lo < hi) || !std::isfinite(lo) || !std::isfinite(hi))
+        throw Error(place, fmt::format("expected a range with lo < hi, found [{}, {}]", lo, hi));
+    constexpr float narrowest = 1e-34f; // values closer than this have no reciprocals that leave room for slopes
+    if (hi - lo < narrowest)
+        throw Error(place, fmt::format("expected a range of at least {:g}, found [{:g}, {:g}], which is too narrow "
+                                       "for 32-bit floats: use data in other units",
+                                       narrowest, lo, hi));
+    if (scale == Scale::logarithmic && !(lo > 0.0f))
+        throw Error(place, fmt::format("a logarithmic range has to start above 0, found [{}, {}]", lo, hi));
+}
+
 vec3d colorAtT(const TransferFunction& tf, double t)
 {
     const Bracket b = bracketOf(tf.colors, t);
@@ -76,16 +100,9 @@ vec3d colorAtT(const TransferFunction& tf, double t)
 
 void checkTransferFunction(const TransferFunction& tf, const std::string& place)
 {
-    const auto& [lo, hi] = tf.range;
-    if (!(lo < hi) || !std::isfinite(lo) || !std::isfinite(hi))
-        throw Error(place, fmt::format("expected a range with lo < hi, found [{}, {}]", lo, hi));
-    constexpr float narrowest = 1e-34f; // values closer than this have no reciprocals that leave room for slopes
-    if (hi - lo < narrowest)
-        throw Error(place, fmt::format("expected a range of at least {:g}, found [{:g}, {:g}], which is too narrow "
-                                       "for 32-bit floats: use data in other units",
-                                       narrowest, lo, hi));
-    if (tf.scale == Scale::logarithmic && !(lo > 0.0f))
-        throw Error(place, fmt::format("a logarithmic range has to start above 0, found [{}, {}]", lo, hi));
+    checkRange(tf.range, tf.scale, place);
+    if (tf.colorField)
+        checkRange(tf.colorField->range, tf.colorField->scale, place);
     checkPositive(tf.referenceLength, place, "reference length");
     if (!(tf.opacityScale >= 0.0f && std::isfinite(tf.opacityScale)))
         throw Error(place, fmt::format("expected an opacity scale of 0 or more, found {}", tf.opacityScale));
@@ -107,23 +124,38 @@ void checkTransferFunction(const TransferFunction& tf, const std::string& place)
 
 double normalized(const TransferFunction& tf, double value)
 {
-    const double lo = tf.range.lo, hi = tf.range.hi;
-    if (tf.scale == Scale::linear)
-        return (value - lo) / (hi - lo);
-    if (value <= 0.0)
-        return -std::numeric_limits<double>::infinity();
-    return (std::log(value) - std::log(lo)) / (std::log(hi) - std::log(lo));
+    return normalizedIn(tf.range, tf.scale, value);
 }
 
 vec3d colorAt(const TransferFunction& tf, double value)
 {
-    return colorAtT(tf, normalized(tf, value));
+    return colorAtT(tf, tf.colorField ? normalizedIn(tf.colorField->range, tf.colorField->scale, value)
+                                      : normalized(tf, value));
 }
 
 double extinctionAt(const TransferFunction& tf, double value)
 {
     const double t = normalized(tf, value);
     return t >= 0.0 && t <= 1.0 ? extinctionAtT(tf, t) : 0.0;
+}
+
+TransferFunction extinctionFunction(const TransferFunction& tf)
+{
+    TransferFunction white = tf;
+    white.colors = {{0.0f, vec3f(1.0f)}};
+    white.colorField.reset();
+    return white;
+}
+
+TransferFunction colorFunction(const TransferFunction& tf)
+{
+    TransferFunction colors;
+    colors.range = tf.colorField ? tf.colorField->range : tf.range;
+    colors.scale = tf.colorField ? tf.colorField->scale : tf.scale;
+    colors.colors = tf.colors;
+    colors.opacity = {{0.0f, 1.0f}};
+    colors.kind = TransferFunction::Kind::extinction;
+    return colors;
 }
 
 TransferTable tabulate(const TransferFunction& tf, int size)

@@ -4,6 +4,7 @@
 #include "brickwall/core/base/Range.h"
 #include "brickwall/core/base/Vec.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,17 @@ struct OpacityPoint
 {
     float t;
     float value; ///< opacity in [0, 1] per reference length, or extinction per finest cell
+};
+
+/// Another field than the one that is seen, whose values say in which colour: t is 0 and 1 at the ends of the range,
+/// and values beyond an end have its colour.
+struct ColorField
+{
+    std::string name;
+    Range range{0.0f, 1.0f};
+    Scale scale = Scale::linear;
+
+    bool operator==(const ColorField&) const = default;
 };
 
 /// Colour c(v) and extinction sigma(v), both piecewise linear in t in [0, 1]; transparent outside the range.
@@ -43,6 +55,8 @@ struct TransferFunction
     Kind kind = Kind::opacity;
     float referenceLength = 1.0f;
     float opacityScale = 1.0f; ///< multiplies the points' values, before the cap
+    /// What `colors` are of; without it the field itself, over `range`.
+    std::optional<ColorField> colorField;
 };
 
 /// Throws Error naming `place` if points are missing, unsorted, outside [0, 1], not finite, or the range is empty.
@@ -51,9 +65,15 @@ void checkTransferFunction(const TransferFunction& tf, const std::string& place)
 /// t of a value; below 0 or above 1 outside the range.
 double normalized(const TransferFunction& tf, double value);
 
-/// Exact evaluation in double, for references and legends. `extinction` is 0 outside the range.
+/// Exact evaluation in double, for references and legends. `extinction` is 0 outside the range. Colours are those at a
+/// value of the colour field, if there is one.
 vec3d colorAt(const TransferFunction& tf, double value);
 double extinctionAt(const TransferFunction& tf, double value);
+
+/// A transfer function with a colour field, taken apart: the extinction, in white, of the field itself; and the colours
+/// as a transfer function of the colour field, with an extinction of 1 throughout its range.
+TransferFunction extinctionFunction(const TransferFunction& tf);
+TransferFunction colorFunction(const TransferFunction& tf);
 
 /// The sampled form that the stepping methods of the literature look up, as the systems they come from do: linear
 /// between `size` entries at t = i / (size - 1), colour and extinction. What is visible at all, TransferIntegral knows.

@@ -5,6 +5,7 @@
 #include "brickwall/core/base/WholeFile.h"
 #include "brickwall/core/shade/ColorMaps.h"
 #include "brickwall/core/shade/Srgb.h"
+#include "brickwall/core/shade/TransferShapes.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 #include <set>
 
 namespace brickwall {
@@ -128,6 +130,11 @@ std::vector<ColorPoint> colorsOf(const Json& json, const std::string& place)
     return colors;
 }
 
+const char* nameOf(Scale scale)
+{
+    return scale == Scale::linear ? "linear" : "log";
+}
+
 Scale scaleOf(const Json& json, const std::string& place)
 {
     if (json == "linear")
@@ -139,39 +146,124 @@ Scale scaleOf(const Json& json, const std::string& place)
 
 void refuseUnknown(const Json& json, const std::string& path)
 {
-    static const std::set<std::string> known{"range",      "scale",        "colors", "opacity", "reference_length",
-                                             "extinction", "opacity_scale"};
+    static const std::set<std::string> known{"range",       "scale",          "colors",           "color_flat",
+                                             "color_field", "color_range",    "color_scale",      "extinction",
+                                             "opacity",     "opacity_window", "reference_length", "opacity_scale"};
     for (const auto& [key, value] : json.items())
         if (!known.contains(key))
             throw Error(path, fmt::format("unknown key '{}'; known are {}", key, fmt::join(known, ", ")));
+}
+
+/// An object of the file, with the place of each key for messages.
+class Keys
+{
+public:
+    Keys(const Json& json, const std::string& path) : json_(json), path_(path) {}
+
+    bool has(const char* key) const { return json_.contains(key); }
+    const Json& operator[](const char* key) const { return required(json_, key, path_); }
+    std::string place(const char* key) const { return fmt::format("{}: {}", path_, key); }
+    float number(const char* key) const { return numberOf((*this)[key], place(key)); }
+    Range range(const char* key) const
+    {
+        const std::vector<float> ends = numbersOf((*this)[key], 2, place(key));
+        return {ends[0], ends[1]};
+    }
+    /// Without another key this one means nothing.
+    void belongs(const char* key, const char* other) const
+    {
+        if (has(key) && !has(other))
+            throw Error(place(key), fmt::format("belongs to '{}', which is not there", other));
+    }
+
+private:
+    const Json& json_;
+    const std::string& path_;
+};
+
+void readColors(const Keys& keys, TransferFunction& tf)
+{
+    tf.colors = colorsOf(keys["colors"], keys.place("colors"));
+    if (keys.has("color_flat")) {
+        const float width = keys.number("color_flat");
+        if (!(width >= 0.0f && width <= 1.0f))
+            throw Error(keys.place("color_flat"), fmt::format("expected a width in [0, 1], found {}", width));
+        TransferFunction checked; // points that are out of order would make none
+        checked.colors = tf.colors;
+        checked.opacity = {{0.0f, 0.0f}};
+        checkTransferFunction(checked, keys.place("colors"));
+        tf.colors = flatAround(tf.colors, width);
+    }
+    keys.belongs("color_range", "color_field");
+    keys.belongs("color_scale", "color_field");
+    if (!keys.has("color_field"))
+        return;
+    const Json& name = keys["color_field"];
+    if (!name.is_string() || name.get<std::string>().empty())
+        throw Error(keys.place("color_field"), fmt::format("expected the name of a field, found {}", name.dump()));
+    tf.colorField = ColorField{name.get<std::string>(), keys.range("color_range"), Scale::linear};
+    if (keys.has("color_scale"))
+        tf.colorField->scale = scaleOf(keys["color_scale"], keys.place("color_scale"));
+}
+
+OpacityWindow windowOf(const Json& json, const std::string& place)
+{
+    if (!json.is_object())
+        throw Error(place, fmt::format("expected an object, found {}", json.dump()));
+    static const std::set<std::string> known{"center", "width", "opacity"};
+    for (const auto& [key, value] : json.items())
+        if (!known.contains(key))
+            throw Error(place, fmt::format("unknown key '{}'; known are {}", key, fmt::join(known, ", ")));
+    const Keys keys(json, place);
+    OpacityWindow window{keys.number("center"), keys.number("width"), 1.0f};
+    if (keys.has("opacity"))
+        window.opacity = keys.number("opacity");
+    if (!(window.width > 0.0))
+        throw Error(keys.place("width"), fmt::format("expected a number above 0, found {}", window.width));
+    if (!(window.opacity >= 0.0f && window.opacity <= 1.0f))
+        throw Error(keys.place("opacity"), fmt::format("expected an opacity in [0, 1], found {}", window.opacity));
+    return window;
+}
+
+/// Range, scale and one of the three ways to say how opaque.
+void readOpacity(const Keys& keys, const std::string& path, TransferFunction& tf)
+{
+    if (keys.has("opacity") + keys.has("extinction") + keys.has("opacity_window") != 1)
+        throw Error(path, "expected either 'opacity' or 'extinction' or 'opacity_window'");
+    std::optional<OpacityWindow> window;
+    if (keys.has("opacity_window"))
+        window = windowOf(keys["opacity_window"], keys.place("opacity_window"));
+    tf.range = window && !keys.has("range") ? rangeOf(*window) : keys.range("range");
+    if (keys.has("scale"))
+        tf.scale = scaleOf(keys["scale"], keys.place("scale"));
+    tf.kind = keys.has("extinction") ? TransferFunction::Kind::extinction : TransferFunction::Kind::opacity;
+    if (window) {
+        tf.opacity = {{0.0f, 0.0f}}; // until the range is known to be one
+        checkTransferFunction(tf, path);
+        tf.opacity = opacityPoints(*window, tf.range, tf.scale);
+        return;
+    }
+    const char* key = keys.has("opacity") ? "opacity" : "extinction";
+    eachPoint(keys[key], 2, keys.place(key), [&](const std::vector<float>& v, const std::string&) {
+        tf.opacity.push_back({v[0], v[1]});
+    });
 }
 
 TransferFunction fromJson(const std::string& text, const std::string& path)
 {
     const Json json = parse(text, path);
     refuseUnknown(json, path);
-    const auto place = [&](const char* key) { return fmt::format("{}: {}", path, key); };
-
+    const Keys keys(json, path);
     TransferFunction tf;
-    const std::vector<float> range = numbersOf(required(json, "range", path), 2, place("range"));
-    tf.range = {range[0], range[1]};
-    if (json.contains("scale"))
-        tf.scale = scaleOf(json["scale"], place("scale"));
-    tf.colors = colorsOf(required(json, "colors", path), place("colors"));
-    if (json.contains("opacity") == json.contains("extinction"))
-        throw Error(path, "expected either 'opacity' or 'extinction'");
-    const char* key = json.contains("opacity") ? "opacity" : "extinction";
-    tf.kind = json.contains("opacity") ? TransferFunction::Kind::opacity : TransferFunction::Kind::extinction;
-    eachPoint(json[key], 2, place(key), [&](const std::vector<float>& v, const std::string&) {
-        tf.opacity.push_back({v[0], v[1]});
-    });
-    if (json.contains("reference_length")) {
+    readColors(keys, tf);
+    readOpacity(keys, path, tf);
+    if (keys.has("reference_length")) {
         if (tf.kind == TransferFunction::Kind::extinction)
-            throw Error(place("reference_length"), "belongs to 'opacity'; an extinction is per finest cell");
-        tf.referenceLength = numberOf(json["reference_length"], place("reference_length"));
+            throw Error(keys.place("reference_length"), "belongs to 'opacity'; an extinction is per finest cell");
+        tf.referenceLength = keys.number("reference_length");
     }
-    if (json.contains("opacity_scale"))
-        tf.opacityScale = numberOf(json["opacity_scale"], place("opacity_scale"));
+    if (keys.has("opacity_scale"))
+        tf.opacityScale = keys.number("opacity_scale");
     return tf;
 }
 
@@ -209,8 +301,12 @@ std::string toJson(const TransferFunction& tf)
     std::string points;
     for (const OpacityPoint& p : tf.opacity)
         points += fmt::format("{}\n    [{}, {}]", points.empty() ? "" : ",", p.t, p.value);
-    std::string text = fmt::format("{{\n  \"range\": [{}, {}],\n  \"scale\": \"{}\",\n", tf.range.lo, tf.range.hi,
-                                   tf.scale == Scale::linear ? "linear" : "log");
+    std::string text =
+        fmt::format("{{\n  \"range\": [{}, {}],\n  \"scale\": \"{}\",\n", tf.range.lo, tf.range.hi, nameOf(tf.scale));
+    if (tf.colorField)
+        text += fmt::format("  \"color_field\": {},\n  \"color_range\": [{}, {}],\n  \"color_scale\": \"{}\",\n",
+                            Json(tf.colorField->name).dump(-1, ' ', false, Json::error_handler_t::replace),
+                            tf.colorField->range.lo, tf.colorField->range.hi, nameOf(tf.colorField->scale));
     text += fmt::format("  \"colors\": [{}\n  ],\n", colors);
     if (isOpacity)
         text += fmt::format("  \"reference_length\": {},\n", tf.referenceLength);

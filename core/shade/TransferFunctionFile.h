@@ -20,6 +20,12 @@ namespace brickwall {
 ///   "opacity": [[t, a], ...]           per "reference_length" finest cells (optional, 1), or instead
 ///   "extinction": [[t, s], ...]        per finest cell
 ///   "opacity_scale": s                 optional, 1
+/// and in place of "opacity" and "extinction" (and with it "range" is optional: all of the window), or besides:
+///   "opacity_window": {"center": c, "width": s, "opacity": a}     the shape of OpacityWindow, in values; a optional, 1
+///   "color_flat": w                    the colour map is flat around each point, w wide in t (flatAround)
+///   "color_field": NAME                colours are those of another field, by
+///   "color_range": [lo, hi]            its values at t = 0 and 1, beyond which the map is flat, and
+///   "color_scale": "linear" | "log"    optional, linear
 /// Between the points colours are interpolated in linear RGB.
 ///
 /// Throws Error naming the file and the line, key or byte.

@@ -139,8 +139,32 @@ void tabulateBucketLines(TransferIntegral& f)
         f.buckets.push_back(bucketLine(f, b));
 }
 
-/// The largest variation(segment, its upper knot) of the segments that the values of `r` touch, which `maxima` has but
-/// for steps at a segment's lower end.
+float perValue(const TransferIntegral::Segment& segment, float)
+{
+    return variationOf(segment);
+}
+
+/// Per share of the value, at most: at the segment's upper end.
+float perShare(const TransferIntegral::Segment& segment, float end)
+{
+    return variationOf(segment) * end;
+}
+
+bool hasStepAtEnd(const TransferIntegral& f, const Range& r)
+{
+    return (f.opensWithStep && r.lo < f.range.lo) || (f.closesWithStep && r.hi > f.range.hi);
+}
+
+/// The largest variation(segment, its upper knot) of segments `a` to `b`, which `maxima` has but for steps at a
+/// segment's lower end. All values are above the lower end of `a`: no matter whether there is a step.
+template <class Variation>
+float variationIn(const TransferIntegral& f, int a, int b, const std::vector<std::vector<float>>& maxima,
+                  const Variation& variation)
+{
+    return std::max(variation(f.segments[a], f.knots[a + 1]), maximumOver(maxima, a + 1, b + 1));
+}
+
+/// The same of the segments that the values of `r` touch; infinite if there is a step among them.
 template <class Variation>
 float variationOver(const TransferIntegral& f, const Range& r, const std::vector<std::vector<float>>& maxima,
                     const Variation& variation)
@@ -148,11 +172,18 @@ float variationOver(const TransferIntegral& f, const Range& r, const std::vector
     const float lo = std::max(r.lo, f.range.lo), hi = std::min(r.hi, f.range.hi);
     if (!(lo <= hi))
         return 0.0f;
-    if ((f.opensWithStep && r.lo < f.range.lo) || (f.closesWithStep && r.hi > f.range.hi))
+    if (hasStepAtEnd(f, r))
         return std::numeric_limits<float>::infinity();
-    const int a = f.segmentOf(lo), b = f.segmentOf(hi);
-    // All values are above the first segment's lower end: no matter whether there is a step.
-    return std::max(variation(f.segments[a], f.knots[a + 1]), maximumOver(maxima, a + 1, b + 1));
+    return variationIn(f, f.segmentOf(lo), f.segmentOf(hi), maxima, variation);
+}
+
+/// The largest extinction from a value in segment `a` to one in segment `b`.
+float extinctionFrom(const TransferIntegral& f, int a, float lo, int b, float hi)
+{
+    float ends = std::max(extinctionIn(f, a, lo), extinctionIn(f, b, hi));
+    if (a < b)
+        ends = std::max({ends, extinctionIn(f, a, f.knots[a + 1]), f.segments[b].density.w});
+    return std::max(roundedUp(ends), maximumOver(f.maxExtinction, a + 1, b));
 }
 
 } // namespace
@@ -184,23 +215,38 @@ float TransferIntegral::largestExtinction(const Range& r) const
     const float lo = std::max(r.lo, range.lo), hi = std::min(r.hi, range.hi);
     if (!(lo <= hi))
         return 0.0f;
-    const int a = segmentOf(lo), b = segmentOf(hi);
-    float ends = std::max(extinctionIn(*this, a, lo), extinctionIn(*this, b, hi));
-    if (a < b)
-        ends = std::max({ends, extinctionIn(*this, a, knots[a + 1]), segments[b].density.w});
-    return std::max(roundedUp(ends), maximumOver(maxExtinction, a + 1, b));
+    return extinctionFrom(*this, segmentOf(lo), lo, segmentOf(hi), hi);
 }
 
 float TransferIntegral::largestVariation(const Range& r) const
 {
-    return variationOver(*this, r, maxVariation, [](const Segment& s, float) { return variationOf(s); });
+    return variationOver(*this, r, maxVariation, perValue);
 }
 
 float TransferIntegral::largestLogVariation(const Range& r) const
 {
     if (scale != Scale::logarithmic)
         return std::numeric_limits<float>::infinity();
-    return variationOver(*this, r, maxLogVariation, [](const Segment& s, float end) { return variationOf(s) * end; });
+    return variationOver(*this, r, maxLogVariation, perShare);
+}
+
+TransferLimits limitsOver(const TransferIntegral& f, const Range& r)
+{
+    const float lo = std::max(r.lo, f.range.lo), hi = std::min(r.hi, f.range.hi);
+    if (!(lo <= hi))
+        return {};
+    const int a = f.segmentOf(lo), b = f.segmentOf(hi);
+    TransferLimits limits;
+    limits.extinction = extinctionFrom(f, a, lo, b, hi);
+    if (!(limits.extinction > 0.0f))
+        return limits;
+    limits.variation = limits.logVariation = std::numeric_limits<float>::infinity();
+    if (hasStepAtEnd(f, r))
+        return limits;
+    limits.variation = variationIn(f, a, b, f.maxVariation, perValue);
+    if (f.scale == Scale::logarithmic)
+        limits.logVariation = variationIn(f, a, b, f.maxLogVariation, perShare);
+    return limits;
 }
 
 } // namespace brickwall

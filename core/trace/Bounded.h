@@ -19,8 +19,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace brickwall::HWY_NAMESPACE {
 
-/// The visitor of a RegionWalk that spends an error budget.
-template <bool shaded>
+/// The visitor of a RegionWalk that spends an error budget. `colored`: by another field.
+template <bool shaded, bool colored>
 class Bounded
 {
 public:
@@ -58,10 +58,10 @@ private:
     HWY_INLINE void visit(const Region& region, std::uint32_t index, MaskN active, FloatN t0, FloatN t1,
                           const Field& field)
     {
-        const FloatN t = BoundedSteps<shaded>(rays, region, index)(active, t0, t1, field);
+        const FloatN t = BoundedSteps<shaded, colored>(rays, region, index)(active, t0, t1, field);
         const MaskN todo = active & (t < t1) & rays.goOn();
         if (any(todo))
-            BoundedPieces<Pieces, shaded>(rays, region, index)(todo, t, t1);
+            BoundedPieces<Pieces, shaded, colored>(rays, region, index)(todo, t, t1);
     }
 };
 

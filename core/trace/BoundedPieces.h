@@ -9,13 +9,25 @@
 #endif
 
 #include "brickwall/core/trace/BoundedRays.h"
+#include "brickwall/core/trace/PartColors.h"
 #include "brickwall/core/trace/RegionBounds.h"
+
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace brickwall::HWY_NAMESPACE {
 
-/// Pieces: OneBrickPieces or SeveralBricksPieces.
-template <class Pieces, bool shaded>
+/// Stands for PieceColors where colours are the field's own.
+struct NoPieceColors
+{
+    template <class... Arguments>
+    HWY_INLINE explicit NoPieceColors(const Arguments&...)
+    {
+    }
+};
+
+/// Pieces: OneBrickPieces or SeveralBricksPieces. `colored`: by another field.
+template <class Pieces, bool shaded, bool colored>
 class BoundedPieces
 {
 public:
@@ -24,6 +36,7 @@ public:
           bounds_(rays.scene.regionBounds[index]),
           range_(rays.scene.field->regionRanges[index]),
           piece_(*rays.scene.regions, region, rays.scene.field->values.data(), rays.scene.origin, rays.ray),
+          colors_(rays.scene, region, rays.ray, rays.colors),
           width_(static_cast<float>(1 << region.finestLevel)),
           carried_(firstLanes(0)),
           last_{range_.lo, 0.0f, rays.lookup.at(range_.lo, carried_), 1.0f}
@@ -48,8 +61,10 @@ public:
             rays_.counts.piecesSkipped += count(todo) - count(seen);
             const QuadN before = rays_.last;
             rays_.last = select(todo, QuadN{0.0f, 0.0f, 0.0f, 0.0f}, rays_.last);
-            if (any(seen))
+            if (any(seen)) {
+                loadColors(seen, t, end);
                 refine(seen, t, end - t);
+            }
             carried_ = carried_ & seen;
             suggestStep(todo, before, t, end);
             t = end;
@@ -58,6 +73,14 @@ public:
     }
 
 private:
+    HWY_INLINE void loadColors(MaskN lanes, FloatN t, FloatN end)
+    {
+        if constexpr (colored) {
+            colors_.load(t, end);
+            rays_.counts.fetches += count(lanes) * colors_.fetches();
+        }
+    }
+
     /// Goes through a piece: a part that does not fit is halved, one that does is followed by one of twice its length.
     HWY_INLINE void refine(MaskN todo, FloatN t0, FloatN length)
     {
@@ -65,6 +88,7 @@ private:
             piece_.loadGradient();
         FloatN s = 0.0f, h = 1.0f;
         PlaceN a = startOf(todo);
+        ColorPlace ca = colorAt(s, todo);
         if constexpr (shaded)
             chargeJump(todo, t0, a);
         const FloatN perLength = rays_.budget.perLength(t0);
@@ -72,15 +96,23 @@ private:
         MaskN split = firstLanes(0);
         while (any(todo)) {
             const PlaceN b = placeAt(s + h, todo);
+            const ColorPlace cb = colorAt(s + h, todo);
             const ExtentN extent{piece_.enclosure(s, s + h), range_, bounds_, h, h * length};
             const FloatN t = fma(s, length, t0), most = mostError(extent);
-            const PartN whole = wholePart<shaded>(rays_.lookup, todo, a, b, extent);
+            const auto colorExtent = colorExtentOf(s, h);
+            PartN whole =
+                wholePart<shaded>(rays_.lookup, todo, a, b, extent, tintsOf(ca, cb, cb, colorExtent, extent.length));
+            addColorRounding(whole, todo, ca, cb);
             MaskN good = todo & fits(whole, extent, perLength);
             rays_.add(good, whole, most, t, extent.length);
             const MaskN rest = andNot(todo, good);
             if (any(rest)) {
-                const PlaceN m = placeAt(fma(0.5f, h, s), rest);
-                const PartN halves = halvedPart<shaded>(rays_.lookup, rest, a, m, b, whole.segment, extent);
+                const FloatN middle = fma(0.5f, h, s);
+                const PlaceN m = placeAt(middle, rest);
+                const ColorPlace cm = colorAt(middle, rest);
+                PartN halves = halvedPart<shaded>(rays_.lookup, rest, a, m, b, whole.segment, extent,
+                                                  tintsOf(ca, cm, cb, colorExtent, extent.length));
+                addColorRounding(halves, rest, ca, cb);
                 const MaskN better = rest & (fits(halves, extent, perLength) | (h <= FloatN(tuning::shortestPart)));
                 rays_.add(better, halves, most, t, extent.length);
                 good = good | better;
@@ -88,11 +120,59 @@ private:
             }
             s = select(good, s + h, s);
             copyWhere(good, b, a);
+            copyWhere(good, cb, ca);
             h = select(good, min(h + h, FloatN(1.0f) - s), FloatN(0.5f) * h);
             todo = todo & (s < FloatN(1.0f - 0.5f * tuning::shortestPart)) & rays_.goOn();
         }
-        carry(all, a);
+        carry(all, a, ca);
         rays_.counts.piecesSplit += count(split);
+    }
+
+    // What colours of another field add to all that; nothing if there are none.
+    struct NoColor
+    {
+    };
+    using ColorPlace = std::conditional_t<colored, ColorPlaceN, NoColor>;
+    HWY_INLINE static void copyWhere(MaskN, NoColor, NoColor) {}
+    template <class Place>
+    HWY_INLINE static void copyWhere(MaskN lanes, const Place& from, Place& to)
+    {
+        brickwall::HWY_NAMESPACE::copyWhere(lanes, from, to);
+    }
+
+    HWY_INLINE ColorPlace colorAt(FloatN s, MaskN lanes)
+    {
+        if constexpr (colored) {
+            rays_.counts.samples += count(lanes);
+            return colors_.at(s, lanes);
+        } else {
+            return {};
+        }
+    }
+
+    HWY_INLINE auto colorExtentOf(FloatN s, FloatN h) const
+    {
+        if constexpr (colored)
+            return ColorExtentN{colors_.enclosure(s, s + h), h, bounds_.colorSlope};
+        else
+            return NoColor();
+    }
+
+    template <class Extent>
+    HWY_INLINE auto tintsOf(const ColorPlace& a, const ColorPlace& m, const ColorPlace& b, const Extent& extent,
+                            FloatN length) const
+    {
+        if constexpr (colored)
+            return TintsN{rays_.colors, a, m, b, extent, length};
+        else
+            return NoTints();
+    }
+
+    HWY_INLINE void addColorRounding(PartN& part, MaskN lanes, const ColorPlace& a, const ColorPlace& b) const
+    {
+        if constexpr (colored)
+            part.rounding =
+                fma(part.segment.opacity, tintRounding(rays_.colors, lanes, a, b, bounds_.colorSlope), part.rounding);
     }
 
     /// Of a part, per transmittance, if nothing of what was taken to be there is.
@@ -152,9 +232,11 @@ private:
     }
 
     /// Keeps the end of a piece for the next one, and for steps.
-    HWY_INLINE void carry(MaskN lanes, const PlaceN& end)
+    HWY_INLINE void carry(MaskN lanes, const PlaceN& end, const ColorPlace& color)
     {
-        const QuadN density = end.look.density();
+        QuadN density = end.look.density();
+        if constexpr (colored)
+            density = withColor(density, color.look.limit);
         const FloatN shade = abs(end.shade);
         if constexpr (shaded)
             rays_.lastLight = select(lanes, shade, rays_.lastLight);
@@ -181,6 +263,7 @@ private:
     const RegionBounds& bounds_;
     const Range& range_;
     Pieces piece_;
+    std::conditional_t<colored, PieceColors<Pieces>, NoPieceColors> colors_;
     float width_;   ///< of a cell
     MaskN carried_; ///< where last_ is the end of the piece before
     PlaceN last_;

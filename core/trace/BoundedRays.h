@@ -8,6 +8,7 @@
 #endif
 
 #include "brickwall/core/trace/ErrorBudget.h"
+#include "brickwall/core/trace/FieldColors.h"
 #include "brickwall/core/trace/Parts.h"
 #include "brickwall/core/trace/Radiance.h"
 
@@ -19,6 +20,7 @@ struct BoundedRays
     const TraceScene& scene;
     const RayN& ray;
     TransferIntegralLookup lookup;
+    TransferIntegralLookup colors; ///< if they are of another field
     Headlight headlight;
     float leastTransmittance; ///< with less, a ray ends
 
@@ -29,7 +31,7 @@ struct BoundedRays
     FloatN rounding; ///< errors that no refinement would take away: no part of the budget
 
     // What was found last, for the steps that are taken next.
-    FloatN step;      ///< suggested
+    FloatN step;      ///< suggested; 0 where none has been taken
     FloatN lastAt;    ///< t where that was
     FloatN lastStep;  ///< taken; 0 after a piece
     QuadN last;       ///< c sigma, sigma there; c with the light
@@ -40,12 +42,13 @@ struct BoundedRays
         : scene(traceScene),
           ray(rays),
           lookup(*traceScene.integral),
+          colors(colorIntegralOf(traceScene)),
           headlight(traceScene, rays, worldStretch),
           leastTransmittance(parameters.tolerance * tuning::endShare),
           budget(max(FloatN(parameters.tolerance * (tuning::usedShare - tuning::endShare)) - error, 0.0f), end),
           before(error),
           rounding(0.0f),
-          step(0.5f),
+          step(0.0f),
           lastAt(-1.0f),
           lastStep(0.0f),
           last{0.0f, 0.0f, 0.0f, 0.0f},

@@ -17,7 +17,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace brickwall::HWY_NAMESPACE {
 
-template <bool shaded>
+template <bool shaded, bool colored>
 class BoundedSteps
 {
 public:
@@ -25,6 +25,7 @@ public:
         : rays_(rays),
           bounds_(rays.scene.regionBounds[index]),
           range_(rays.scene.field->regionRanges[index]),
+          index_(index),
           brickCount_(region.brickCount),
           width_(static_cast<float>(1 << region.finestLevel)),
           shortest_(width_ * (brickCount_ == 1 ? tuning::shortestStep : tuning::shortestStepOfSeveral))
@@ -36,6 +37,8 @@ public:
     HWY_INLINE FloatN operator()(MaskN active, FloatN t0, FloatN t1, const Field& field)
     {
         BoundedRays& r = rays_;
+        const MaskN first = active & (r.step <= FloatN(0.0f));
+        r.step = select(first, FloatN(tuning::firstStep * width_), r.step);
         const LimitsN limits = limitsOf(t0, t1 - t0, active);
         const MaskN lanes = active & (limits.faint | (min(r.step, limits.longest) >= FloatN(shortest_)));
         const MaskN fresh = andNot(lanes & (r.lastAt < t0), limits.faint);
@@ -188,7 +191,13 @@ private:
     HWY_INLINE QuadN densityAt(const Field& field, FloatN t) const
     {
         const SampleN s = field(rays_.pointAt(t));
-        const QuadN density = rays_.lookup.densityAt(clamp(s.value, range_.lo, range_.hi), s.valid);
+        QuadN density = rays_.lookup.densityAt(clamp(s.value, range_.lo, range_.hi), s.valid);
+        if constexpr (colored) {
+            if (any(density.d > FloatN(0.0f))) {
+                const FloatN value = colorValueAt(rays_.scene, index_, rays_.pointAt(t));
+                density = withColor(density, rays_.colors.densityAt(value, s.valid));
+            }
+        }
         if constexpr (shaded) {
             const FloatN light = rays_.headlight(s.gradient);
             return {density.a * light, density.b * light, density.c * light, density.d};
@@ -220,13 +229,15 @@ private:
 
     HWY_INLINE void countSamples(std::uint64_t n)
     {
-        rays_.counts.samples += n;
-        rays_.counts.fetches += n * brickCount_;
+        constexpr std::uint64_t fields = colored ? 2 : 1;
+        rays_.counts.samples += n * fields;
+        rays_.counts.fetches += n * fields * brickCount_;
     }
 
     BoundedRays& rays_;
     const RegionBounds& bounds_;
     const Range& range_;
+    std::uint32_t index_; ///< of the region
     std::uint32_t brickCount_;
     float width_;    ///< of a cell
     float shortest_; ///< step

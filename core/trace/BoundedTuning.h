@@ -30,6 +30,8 @@ inline constexpr float resolvedChange = 1.0f;
 /// of several. Tuned for time alone.
 inline constexpr float shortestStep = 0.12f;
 inline constexpr float shortestStepOfSeveral = 0.06f;
+/// Of a cell, too: the first step along a ray.
+inline constexpr float firstStep = 0.5f;
 /// How much more than by its length a short step may err, squared. Tuned.
 inline constexpr float mostShortSteps = 2.0f;
 /// A step is taken if it errs by at most this many times its share, and the next one is shorter; else it is tried

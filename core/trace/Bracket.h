@@ -27,6 +27,7 @@ public:
             FloatN worldStretch)
         : Stepping<Bracket, shaded>(scene, parameters, ray, offset, worldStretch),
           lookup_(*scene.table),
+          colors_(colorTableOf(scene)),
           visible_(scene.integral->visible),
           depth_(std::max(0, static_cast<int>(std::ceil(std::log2(parameters.dt / edgePrecision)))))
     {
@@ -85,9 +86,10 @@ private:
     HWY_INLINE PlaceN placeAt(const Field& field, FloatN t, MaskN active)
     {
         const SampleN s = field(t, active);
-        const QuadN look = lookup_(s.value, active & s.valid);
+        const MaskN valid = active & s.valid;
+        const QuadN look = this->inItsColor(lookup_(s.value, valid), colors_, t, valid);
         const FloatN shade = this->shade(s);
-        return {t, sideOf(s.value), {look.a * shade, look.b * shade, look.c * shade, look.d}, active & s.valid};
+        return {t, sideOf(s.value), {look.a * shade, look.b * shade, look.c * shade, look.d}, valid};
     }
 
     HWY_INLINE void add(const PlaceN& place, FloatN t, FloatN length)
@@ -125,7 +127,7 @@ private:
         return FloatN(0.5f) * (near + far);
     }
 
-    TransferLookup lookup_;
+    TransferLookup lookup_, colors_; ///< colors_: of another field, if they are
     Range visible_;
     int depth_;
 };

@@ -21,7 +21,9 @@ class Fixed : public Stepping<Fixed<shaded>, shaded>
 public:
     Fixed(const TraceScene& scene, const StepParameters& parameters, const RayN& ray, FloatN offset,
           FloatN worldStretch)
-        : Stepping<Fixed, shaded>(scene, parameters, ray, offset, worldStretch), lookup_(*scene.table)
+        : Stepping<Fixed, shaded>(scene, parameters, ray, offset, worldStretch),
+          lookup_(*scene.table),
+          colors_(colorTableOf(scene))
     {
     }
 
@@ -37,7 +39,8 @@ public:
         active = active & (t < t1);
         while (any(active)) {
             const SampleN s = field(t, active);
-            const QuadN look = lookup_(s.value, active & s.valid);
+            const MaskN valid = active & s.valid;
+            const QuadN look = this->inItsColor(lookup_(s.value, valid), colors_, t, valid);
             if (any(look.d > FloatN(0.0f))) {
                 const FloatN shade = this->shade(s);
                 this->radiance.add(look.d, {look.a * shade, look.b * shade, look.c * shade}, t, step);
@@ -52,7 +55,7 @@ public:
 private:
     HWY_INLINE FloatN plane(FloatN k) const { return (this->offset_ + k) * FloatN(this->dt_); }
 
-    TransferLookup lookup_;
+    TransferLookup lookup_, colors_; ///< colors_: of another field, if they are
 };
 
 } // namespace brickwall::HWY_NAMESPACE

@@ -21,7 +21,9 @@ class Midpoint : public Stepping<Midpoint<shaded>, shaded>
 public:
     Midpoint(const TraceScene& scene, const StepParameters& parameters, const RayN& ray, FloatN offset,
              FloatN worldStretch)
-        : Stepping<Midpoint, shaded>(scene, parameters, ray, offset, worldStretch), lookup_(*scene.table)
+        : Stepping<Midpoint, shaded>(scene, parameters, ray, offset, worldStretch),
+          lookup_(*scene.table),
+          colors_(colorTableOf(scene))
     {
     }
 
@@ -34,8 +36,10 @@ public:
         while (any(active)) {
             const FloatN next = min(planes.next(), t1);
             const FloatN length = next - last;
-            const SampleN s = field(fma(length, 0.5f, last), active);
-            const QuadN look = lookup_(s.value, active & s.valid);
+            const FloatN middle = fma(length, 0.5f, last);
+            const SampleN s = field(middle, active);
+            const MaskN valid = active & s.valid;
+            const QuadN look = this->inItsColor(lookup_(s.value, valid), colors_, middle, valid);
             if (any(look.d > FloatN(0.0f))) {
                 const FloatN shade = this->shade(s);
                 this->radiance.add(look.d, {look.a * shade, look.b * shade, look.c * shade}, last, length);
@@ -46,7 +50,7 @@ public:
     }
 
 private:
-    TransferLookup lookup_;
+    TransferLookup lookup_, colors_; ///< colors_: of another field, if they are
 };
 
 } // namespace brickwall::HWY_NAMESPACE

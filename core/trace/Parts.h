@@ -159,12 +159,13 @@ HWY_INLINE MaskN isRounding(const PlaceN& a, const PlaceN& m, const PlaceN& b)
 }
 
 /// A part from a to b by the mean of colour and extinction over the values between its ends.
-template <bool shaded>
+/// `tints` gives white parts their colours (PartColors.h).
+template <bool shaded, class Tints>
 HWY_INLINE PartN wholePart(const TransferIntegralLookup& lookup, MaskN lanes, const PlaceN& a, const PlaceN& b,
-                           const ExtentN& extent)
+                           const ExtentN& extent, const Tints& tints)
 {
     const QuadN mean = lookup.meanBetween(a.look, b.look);
-    const SegmentN segment(mean, meanMagnitude(a.shade, b.shade), extent.length);
+    SegmentN segment(mean, meanMagnitude(a.shade, b.shade), extent.length);
     const FloatN missed = missedBeyond(min(a.value, b.value), max(a.value, b.value), extent);
     FloatN error = fma(extent.length, misplaced(a, b, mean, extent.h), missed);
     error += hiddenColor<shaded>(a, b, mean, segment, lookup.colorSlope());
@@ -173,21 +174,23 @@ HWY_INLINE PartN wholePart(const TransferIntegralLookup& lookup, MaskN lanes, co
         turn += valueOrZero(mayTurnTwice(a, b, extent.h), FloatN(tuning::unseenDip));
         error = fma(segment.opacity, turn, error);
     }
+    error += tints.whole(a, b, segment);
     return {segment, error, roundingOf(lookup, lanes, a, b, mean, extent, extent.length)};
 }
 
 /// The same part by two halves of that kind, with m in the middle. What they change against the whole says how good
 /// they are.
-template <bool shaded>
+template <bool shaded, class Tints>
 HWY_INLINE PartN halvedPart(const TransferIntegralLookup& lookup, MaskN lanes, const PlaceN& a, const PlaceN& m,
-                            const PlaceN& b, const SegmentN& whole, const ExtentN& extent)
+                            const PlaceN& b, const SegmentN& whole, const ExtentN& extent, const Tints& tints)
 {
     const QuadN first = lookup.meanBetween(a.look, m.look), second = lookup.meanBetween(m.look, b.look);
     const FloatN half = FloatN(0.5f) * extent.length;
     SegmentN segment(first, shaded ? meanOverFirstHalf(a.shade, m.shade, b.shade) : FloatN(1.0f), half);
-    const SegmentN behind(second, shaded ? meanOverFirstHalf(b.shade, m.shade, a.shade) : FloatN(1.0f), half);
-    const FloatN hiddenColors = fma(segment.through, hiddenColor<shaded>(m, b, second, behind, lookup.colorSlope()),
-                                    hiddenColor<shaded>(a, m, first, segment, lookup.colorSlope()));
+    SegmentN behind(second, shaded ? meanOverFirstHalf(b.shade, m.shade, a.shade) : FloatN(1.0f), half);
+    FloatN hiddenColors = fma(segment.through, hiddenColor<shaded>(m, b, second, behind, lookup.colorSlope()),
+                              hiddenColor<shaded>(a, m, first, segment, lookup.colorSlope()));
+    hiddenColors += fma(segment.through, tints.second(m, b, behind), tints.first(a, m, segment));
     segment.append(behind);
 
     const FloatN lo = min(min(a.value, b.value), m.value), hi = max(max(a.value, b.value), m.value);

@@ -22,7 +22,9 @@ class Preintegrated : public Stepping<Preintegrated<shaded>, shaded>
 public:
     Preintegrated(const TraceScene& scene, const StepParameters& parameters, const RayN& ray, FloatN offset,
                   FloatN worldStretch)
-        : Stepping<Preintegrated, shaded>(scene, parameters, ray, offset, worldStretch), lookup_(*scene.integral)
+        : Stepping<Preintegrated, shaded>(scene, parameters, ray, offset, worldStretch),
+          lookup_(*scene.integral),
+          colors_(colorIntegralOf(scene))
     {
     }
 
@@ -49,6 +51,7 @@ private:
         TransferPointN look;
         FloatN shade;
         MaskN valid;
+        TransferPointN color; ///< of another field, if colours are
     };
 
     template <class Field>
@@ -56,7 +59,19 @@ private:
     {
         const SampleN s = field(t, active);
         const MaskN valid = active & s.valid;
-        return {lookup_.at(s.value, valid), this->shade(s), valid};
+        EndN end{lookup_.at(s.value, valid), this->shade(s), valid, {}};
+        if (this->isColoredByField())
+            end.color = colors_.at(this->colorValueAt(t, active), valid);
+        return end;
+    }
+
+    /// In the mean colour of the values between two ends: the extinction is that of one field, the colour that of the
+    /// other, each exact where its field is linear.
+    HWY_INLINE QuadN inMeanColor(const QuadN& mean, const EndN& near, const EndN& far) const
+    {
+        const QuadN between = colors_.meanBetween(near.color, far.color);
+        const QuadN color = select(near.valid, select(far.valid, between, near.color.limit), far.color.limit);
+        return withColor(mean, color);
     }
 
     HWY_INLINE void segment(MaskN active, const EndN& near, const EndN& far, FloatN t, FloatN length)
@@ -66,6 +81,8 @@ private:
         FloatN shade = FloatN(0.5f) * (near.shade + far.shade);
         mean = select(near.valid, select(far.valid, mean, near.look.density()), far.look.density());
         shade = select(near.valid, select(far.valid, shade, near.shade), far.shade);
+        if (this->isColoredByField())
+            mean = inMeanColor(mean, near, far);
         const MaskN visible = active & (near.valid | far.valid) & (mean.d > FloatN(0.0f));
         if (none(visible))
             return;
@@ -73,7 +90,7 @@ private:
         this->radiance.add(valueOrZero(visible, mean.d), {mean.a * scale, mean.b * scale, mean.c * scale}, t, length);
     }
 
-    TransferIntegralLookup lookup_;
+    TransferIntegralLookup lookup_, colors_;
 };
 
 } // namespace brickwall::HWY_NAMESPACE

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <glm/geometric.hpp>
 
@@ -25,11 +26,13 @@ struct ReferenceIntegrator::Data
     bool headlight;
     Supports supports;
     Knots knots;
+    const PaddedField* colorField; ///< null: `field`
+    Knots colorKnots;              ///< of that field
     EmissionAbsorption emissionAbsorption;
 
-    PieceWalk walk(const ReferenceRay& ray) const
+    PieceWalk walk(const PaddedField& of, const ReferenceRay& ray) const
     {
-        return {supports, bricks, field.values.data(), {ray.org, ray.dir}, ray.tNear, ray.tFar};
+        return {supports, bricks, of.values.data(), {ray.org, ray.dir}, ray.tNear, ray.tFar};
     }
 };
 
@@ -71,23 +74,26 @@ public:
     {
     }
 
-    void add(const Piece& piece, std::span<const PieceHit> hits)
+    /// `colorPiece` is that of the colour field on the same stretch, or the piece itself.
+    void add(const Piece& piece, const Piece& colorPiece, std::span<const PieceHit> hits)
     {
         const bool clear = !piece.constant() && data_.knots.transparent(piece.lo, piece.hi);
         if (clear && hits.empty())
             return;
         cuts_.assign({0.0, 1.0});
         if (!clear && !piece.constant())
-            cutWhereNotSmooth(piece);
+            cutWhereNotSmooth(piece, data_.knots);
+        if (!clear && data_.colorField && !colorPiece.constant())
+            cutWhereNotSmooth(colorPiece, data_.colorKnots);
         for (const PieceHit& hit : hits)
             cuts_.push_back(hit.s);
         std::sort(cuts_.begin(), cuts_.end());
         auto hit = hits.begin();
         for (std::size_t i = 0; i < cuts_.size() && !collected.opaque(); ++i) {
             if (i > 0 && cuts_[i - 1] < cuts_[i])
-                addVolume(piece, cuts_[i - 1], cuts_[i]);
+                addVolume(piece, colorPiece, cuts_[i - 1], cuts_[i]);
             for (; hit != hits.end() && hit->s <= cuts_[i]; ++hit)
-                addSurface(piece, *hit);
+                addSurface(piece, colorPiece, *hit);
         }
     }
 
@@ -95,7 +101,7 @@ public:
 
 private:
     /// At the extrema of B, then in each monotonic part at the knots that it passes.
-    void cutWhereNotSmooth(const Piece& piece)
+    void cutWhereNotSmooth(const Piece& piece, const Knots& knots)
     {
         std::vector<double> ends{0.0};
         appendSignChanges(slopeNumerator(piece.n, piece.d), ends);
@@ -103,7 +109,7 @@ private:
         for (std::size_t i = 1; i < ends.size(); ++i) {
             cuts_.push_back(ends[i]);
             const double va = piece.value(ends[i - 1]), vb = piece.value(ends[i]);
-            for (double knot : data_.knots.within(std::min(va, vb), std::max(va, vb))) {
+            for (double knot : knots.within(std::min(va, vb), std::max(va, vb))) {
                 const double relative = knot - piece.reference;
                 const auto f = [&](double s) { return piece.n(s) - relative * piece.d(s); };
                 cuts_.push_back(bracketedRoot(f, ends[i - 1], ends[i], va - knot, vb - knot));
@@ -111,29 +117,42 @@ private:
         }
     }
 
-    void addVolume(const Piece& piece, double a, double b)
+    /// The colours of a stretch without knots, by s.
+    auto colorsOf(const Piece& piece, double a, double b) const
+    {
+        const bool constant = piece.constant();
+        const double throughout = data_.colorKnots.snapped(piece.value(0.5 * (a + b)), piece.rounding());
+        return [this, &piece, constant, throughout](double s) {
+            return colorAt(data_.tf, constant ? throughout : piece.value(s));
+        };
+    }
+
+    void addVolume(const Piece& piece, const Piece& colorPiece, double a, double b)
     {
         // B may be just a knot throughout, where rounding must not decide between the sides of a step.
         const bool constant = piece.constant();
         const double middle = piece.value(0.5 * (a + b)), throughout = data_.knots.snapped(middle, piece.rounding());
+        const auto color = colorsOf(colorPiece, a, b);
         const auto medium = [&](double s) -> Medium {
             const double value = constant ? throughout : piece.value(s);
             const double extinction = extinctionAt(data_.tf, value);
             if (!(extinction > 0.0))
                 return {0.0, vec3d(0.0)};
             const double shade = data_.headlight ? headlight_(piece.gradient(s)) : 1.0;
-            return {extinction, colorAt(data_.tf, value) * shade};
+            return {extinction, color(s) * shade};
         };
         if (!constant && data_.knots.transparent(middle, middle))
             return;
         data_.emissionAbsorption.add(medium, piece.t0, piece.length(), a, b, collected);
     }
 
-    void addSurface(const Piece& piece, const PieceHit& hit)
+    void addSurface(const Piece& piece, const Piece& colorPiece, const PieceHit& hit)
     {
         const IsoSurface& surface = data_.surfaces[hit.surface];
         const double shade = data_.headlight ? headlight_(piece.gradient(hit.s)) : 1.0;
-        collected.addLayer(piece.t(hit.s), shade * vec3d(surface.color), surface.opacity);
+        const bool byField = surface.coloredByField && data_.colorField;
+        const vec3d color = byField ? colorAt(data_.tf, colorPiece.value(hit.s)) : vec3d(surface.color);
+        collected.addLayer(piece.t(hit.s), shade * color, surface.opacity);
     }
 
     const Data& data_;
@@ -146,7 +165,7 @@ private:
 ReferenceIntegrator::ReferenceIntegrator(const RegionTree& regions, const PaddedField& field,
                                          const TransferFunction& tf, std::span<const IsoSurface> surfaces,
                                          const std::array<double, 6>& gradientMetric, bool headlight,
-                                         double relativeTolerance)
+                                         const PaddedField* colorField, double relativeTolerance)
     : data_(new Data{regions.bricks,
                      field,
                      tf,
@@ -154,7 +173,9 @@ ReferenceIntegrator::ReferenceIntegrator(const RegionTree& regions, const Padded
                      gradientMetric,
                      headlight,
                      Supports(regions.bricks),
-                     Knots(tf),
+                     Knots(tf.colorField ? extinctionFunction(tf) : tf),
+                     tf.colorField ? colorField : nullptr,
+                     Knots(tf.colorField ? colorFunction(tf) : tf),
                      EmissionAbsorption(relativeTolerance, Knots(tf).largestExtinction())})
 {
 }
@@ -166,14 +187,19 @@ ReferenceResult ReferenceIntegrator::integrate(const ReferenceRay& ray) const
 {
     RayIntegral integral(*data_, ray);
     SurfaceTracker tracker(data_->surfaces);
-    PieceWalk walk = data_->walk(ray);
-    Piece piece;
+    PieceWalk walk = data_->walk(data_->field, ray);
+    std::optional<PieceWalk> colorWalk; // of the same bricks: it has the same stretches
+    if (data_->colorField)
+        colorWalk.emplace(data_->walk(*data_->colorField, ray));
+    Piece piece, colorPiece;
     std::vector<PieceHit> hits;
     while (!integral.collected.opaque() && walk.next(piece)) {
+        if (colorWalk)
+            colorWalk->next(colorPiece);
         hits.clear();
         tracker.follow(piece, hits);
         if (!piece.hole())
-            integral.add(piece, hits);
+            integral.add(piece, colorWalk ? colorPiece : piece, hits);
     }
     const Collected& c = integral.collected;
     return {c.color, c.transmittance, c.weightedDistance};
@@ -182,7 +208,7 @@ ReferenceResult ReferenceIntegrator::integrate(const ReferenceRay& ray) const
 std::vector<ReferenceHit> ReferenceIntegrator::surfaceHits(const ReferenceRay& ray) const
 {
     SurfaceTracker tracker(data_->surfaces);
-    PieceWalk walk = data_->walk(ray);
+    PieceWalk walk = data_->walk(data_->field, ray);
     Piece piece;
     std::vector<PieceHit> inPiece;
     std::vector<ReferenceHit> hits;

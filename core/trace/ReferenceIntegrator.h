@@ -51,10 +51,11 @@ class ReferenceIntegrator
 {
 public:
     /// `gradientMetric` as in TraceScene. With `headlight`, colours of volume and surfaces are multiplied with |cos|
-    /// between gradient and ray in world space, or 1 where there is no gradient.
+    /// between gradient and ray in world space, or 1 where there is no gradient. `colorField` is what the transfer
+    /// function's colours are of, if it has a ColorField; of the same regions.
     ReferenceIntegrator(const RegionTree& regions, const PaddedField& field, const TransferFunction& tf,
                         std::span<const IsoSurface> surfaces, const std::array<double, 6>& gradientMetric,
-                        bool headlight, double relativeTolerance = 1e-10);
+                        bool headlight, const PaddedField* colorField = nullptr, double relativeTolerance = 1e-10);
     ~ReferenceIntegrator();
     ReferenceIntegrator(ReferenceIntegrator&&) noexcept;
 

@@ -22,10 +22,18 @@ struct RegionBounds
     /// The same along any ray, per voxel and voxel: a sample in the middle of a segment of length h errs by at most
     /// T variationAlong h^2 / 4.
     float variationAlong = 0.0f;
+    /// How fast a component of the colour changes with the colour field's value, at most, if there is one; may be
+    /// infinite.
+    float colorSlope = 0.0f;
 };
 
 /// One per region.
 std::vector<RegionBounds> regionBounds(const PaddedField& field, const TransferIntegral& integral,
                                        const Executor& executor);
+
+/// Adds to the bounds of extinction in white what colours of another field of the same regions change; `colors` is the
+/// integral of its colorFunction.
+void addColors(std::vector<RegionBounds>& bounds, const PaddedField& colorField, const TransferIntegral& colors,
+               const Executor& executor);
 
 } // namespace brickwall

@@ -8,6 +8,7 @@
 #define BRICKWALL_CORE_TRACE_STEPPING_H
 #endif
 
+#include "brickwall/core/trace/FieldColors.h"
 #include "brickwall/core/trace/Radiance.h"
 #include "brickwall/core/trace/Reconstruct.h"
 #include "brickwall/core/trace/RegionWalk.h"
@@ -60,6 +61,7 @@ public:
     MaskN operator()(std::uint32_t index, MaskN active, FloatN t0, FloatN t1)
     {
         const Region& region = scene_.regions->regions[index];
+        index_ = index;
         const Range range = scene_.field->regionRanges[index];
         const float* values = scene_.field->values.data();
         counts.regionsVisited += count(active);
@@ -97,6 +99,29 @@ protected:
         return {fma(t, ray_.dir[0], ray_.org[0]), fma(t, ray_.dir[1], ray_.org[1]), fma(t, ray_.dir[2], ray_.org[2])};
     }
 
+    /// Whether colours are those of another field.
+    bool isColoredByField() const { return scene_.colors.field != nullptr; }
+
+    /// That field in the region at hand, in the range of the colours.
+    HWY_INLINE FloatN colorValueAt(FloatN t, MaskN lanes)
+    {
+        const auto n = static_cast<std::uint64_t>(count(lanes));
+        counts.samples += n;
+        counts.fetches += n * scene_.regions->regions[index_].brickCount;
+        return brickwall::HWY_NAMESPACE::colorValueAt(scene_, index_, pointAt(t));
+    }
+
+    /// What was looked up for a place, in its colour if that is of another field.
+    template <class Lookup>
+    HWY_INLINE QuadN inItsColor(const QuadN& look, const Lookup& colors, FloatN t, MaskN lanes)
+    {
+        const MaskN seen = lanes & (look.d > FloatN(0.0f));
+        if (!isColoredByField() || none(seen))
+            return look;
+        const QuadN color = colors(colorValueAt(t, seen), seen);
+        return {color.a, color.b, color.c, look.d};
+    }
+
     /// What colours are multiplied by.
     HWY_INLINE FloatN shade(const SampleN& s) const
     {
@@ -114,6 +139,8 @@ protected:
     float leastTransmittance_;
 
 private:
+    std::uint32_t index_ = 0; ///< of the region at hand
+
     HWY_INLINE SampleN counted(SampleN s, const Range& range, MaskN lanes, std::uint32_t bricks)
     {
         const auto n = static_cast<std::uint64_t>(count(lanes));

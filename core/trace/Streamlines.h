@@ -21,7 +21,7 @@ enum class StreamlineEnd {
 
 struct StreamlineConfig
 {
-    double tolerance = 1e-6;  ///< largest estimated error of a step, in widths of the cell that it is in; > 0
+    double tolerance = 1e-7;  ///< largest estimated error of a step, in widths of the cell that it is in; > 0
     double longestStep = 0.5; ///< in the same widths, which keeps the lines round; > 0
     double length = 0.0;      ///< of each direction, in world units; 0: no limit but that of the steps
     int steps = 20000;        ///< of each direction, at most

@@ -60,6 +60,15 @@ struct TileResult
     TileResult();
 };
 
+/// The colours of a volume if they are those of another field (TransferFunction::colorField), of the same regions.
+/// Everything is borrowed.
+struct TraceColors
+{
+    const PaddedField* field = nullptr;         ///< null: the field itself has them
+    const TransferTable* table = nullptr;       ///< of colorFunction
+    const TransferIntegral* integral = nullptr; ///< of the same
+};
+
 /// What rays of a view go through. Everything is borrowed.
 struct TraceScene
 {
@@ -75,6 +84,8 @@ struct TraceScene
     /// space has the length sqrt(g G g) in world space, per mean width of a voxel there. Angles do not depend on the
     /// unit of length, but the squares of a galaxy's centimetres are more than floats can hold.
     std::array<float, 6> gradientMetric{1, 1, 1, 0, 0, 0};
+    /// If these are there, `table` and `integral` are those of extinctionFunction, in white.
+    TraceColors colors;
 };
 
 /// A gradient whose squared length, in the field's span per mean width of a voxel, is not more than this has no

@@ -17,11 +17,6 @@
 namespace brickwall {
 namespace {
 
-bool finite(const vec3d& v)
-{
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 const char* toString(RTCError error)
 {
     switch (error) {
@@ -53,7 +48,7 @@ void checkMesh(const TriangleMesh& mesh, std::size_t number)
     if (mesh.vertices.size() > most || mesh.triangles.size() > most)
         throw Error(fmt::format("triangle mesh {}", number), "expected fewer than 2^32 vertices and triangles");
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
-        if (const vec3f& v = mesh.vertices[i]; !finite(vec3d(v)))
+        if (const vec3f& v = mesh.vertices[i]; !isFinite(vec3d(v)))
             throw Error(fmt::format("triangle mesh {}, vertex {}", number, i),
                         fmt::format("expected finite coordinates, found ({}, {}, {})", v.x, v.y, v.z));
     const auto valid = [&](int index) { return index >= 0 && std::size_t(index) < mesh.vertices.size(); };
@@ -134,7 +129,7 @@ void TriangleScene::Embree::add(const TriangleMesh& mesh)
 TriangleHit TriangleScene::Embree::intersect(const vec3d& origin, const vec3d& direction) const
 {
     const double length = glm::length(direction);
-    if (!(length > 0.0) || !std::isfinite(length) || !finite(origin))
+    if (!(length > 0.0) || !std::isfinite(length) || !isFinite(origin))
         return {};
     // Start where the ray enters the sphere: a float could not hold a far eye and a near triangle at once.
     const vec3d d = direction / length;

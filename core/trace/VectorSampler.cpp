@@ -96,8 +96,7 @@ void VectorSampler::addBrick(std::uint32_t b, const vec3d& voxel, Sums& sums) co
                 const double weight = tents.x * tents.y * tents.z;
                 if (weight == 0.0)
                     continue;
-                const std::uint64_t slot =
-                    brick.begin + x + std::uint64_t(brick.size.x) * (y + std::uint64_t(brick.size.y) * z);
+                const std::uint64_t slot = brick.slotOf(cell);
                 sums.values += weight * vec3d(values_[0][slot], values_[1][slot], values_[2][slot]);
                 sums.centres += weight * (vec3d(brick.lower) + (vec3d(cell) + 0.5) * width);
                 sums.weight += weight;
@@ -115,9 +114,7 @@ vec3d VectorSampler::correction(const vec3d& offset, const Sums& sums, Memo& mem
     for (std::size_t i = 0; i < sums.count; ++i) {
         const Sums::Part& part = sums.parts[i];
         const Brick& brick = bricks_[part.brick];
-        const std::uint64_t slot =
-            brick.begin + part.cell.x +
-            std::uint64_t(brick.size.x) * (part.cell.y + std::uint64_t(brick.size.y) * part.cell.z);
+        const std::uint64_t slot = brick.slotOf(part.cell);
         const auto [entry, isNew] = memo.try_emplace(slot);
         if (isNew)
             gradients_.at(part.brick, part.cell, values_, entry->second);

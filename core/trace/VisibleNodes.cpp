@@ -2,6 +2,7 @@
 #include "brickwall/core/trace/VisibleNodes.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace brickwall {
 namespace {
@@ -21,12 +22,20 @@ template <class Shows>
 std::vector<KdNode> keepLeaves(const RegionTree& tree, const Executor& executor, const Shows& shows)
 {
     std::vector<KdNode> nodes = tree.nodes;
+    std::atomic<bool> hidden{false};
     executor.forEach(nodes.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        bool any = false;
         for (std::size_t i = begin; i < end; ++i) {
-            if (nodes[i].axis == 3 && !isEmpty(nodes[i]) && !shows(nodes[i].child))
+            if (nodes[i].axis == 3 && !isEmpty(nodes[i]) && !shows(nodes[i].child)) {
                 nodes[i] = emptyNode();
+                any = true;
+            }
         }
+        if (any)
+            hidden = true;
     });
+    if (!hidden)
+        return nodes; // no node of a tree has two empty children
     // Children come after their parent, so one backward sweep carries emptiness up to the root.
     for (std::size_t i = nodes.size(); i-- > 0;) {
         if (nodes[i].axis != 3 && isEmpty(nodes[nodes[i].child]) && isEmpty(nodes[nodes[i].child + 1]))

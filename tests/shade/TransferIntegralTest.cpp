@@ -2,6 +2,7 @@
 #include "brickwall/core/shade/TransferIntegral.h"
 
 #include "brickwall/core/shade/ColorMaps.h"
+#include "brickwall/core/shade/TransferIntegralTables.h"
 
 #include <gtest/gtest.h>
 
@@ -318,6 +319,30 @@ TEST(TransferIntegral, OneValueHasItsOwnExtinction)
                 << name << " at " << v;
         }
     }
+}
+
+TEST(TransferIntegral, TheLimitsOfARangeAreWhatTheQueriesSayOneByOne)
+{
+    for (const Scale scale : {Scale::linear, Scale::logarithmic})
+        for (unsigned seed = 1; seed <= 6; ++seed) {
+            const TransferIntegral integral = integrate(windows(seed, scale));
+            std::mt19937 random(seed);
+            const Range all = integral.range;
+            std::uniform_real_distribution<float> unit(-0.2f, 1.2f);
+            for (int i = 0; i < 500; ++i) {
+                const auto value = [&](float u) {
+                    return scale == Scale::linear ? all.lo + u * all.span() : all.lo * std::pow(all.hi / all.lo, u);
+                };
+                const float a = value(unit(random)), b = i % 3 == 0 ? a * 1.001f : value(unit(random));
+                const Range range{std::min(a, b), std::max(a, b)};
+                const TransferLimits limits = limitsOver(integral, range);
+                ASSERT_EQ(limits.extinction, integral.largestExtinction(range));
+                if (limits.extinction > 0.0f) {
+                    ASSERT_EQ(limits.variation, integral.largestVariation(range));
+                    ASSERT_EQ(limits.logVariation, integral.largestLogVariation(range));
+                }
+            }
+        }
 }
 
 TEST(TransferIntegral, TheLargestExtinctionOfARampIsAtItsEnd)

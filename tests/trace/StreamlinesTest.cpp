@@ -63,7 +63,6 @@ void expectCircle(const std::vector<Brick>& bricks, const std::string& what)
     const Model model = modelOf(bricks, solidRotation(), worldOf(32));
     for (const double radius : {0.21, 0.5, 0.83}) {
         StreamlineConfig config;
-        config.tolerance = 1e-7; // of coarse cells, which may be wider than the circle
         config.length = 10.0 * 2.0 * pi * radius;
         const vec3d seed(0.0, radius, 0.13);
         for (const bool backward : {false, true}) {
