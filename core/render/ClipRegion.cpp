@@ -13,11 +13,6 @@
 namespace brickwall {
 namespace {
 
-bool isFinite(const vec3d& v)
-{
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 void cutByPlane(const Plane& plane, const vec3d& org, const vec3d& dir, double& from, double& to)
 {
     const double speed = glm::dot(plane.normal, dir), before = plane.offset - glm::dot(plane.normal, org);

@@ -7,8 +7,8 @@ namespace brickwall {
 
 /// A plane through the data on which the field's value is shown in the transfer function's colour, as exactly as the
 /// field is reconstructed. It is not shaded: the colour is to be read. Values outside the transfer function's range
-/// have the colour of its end. Where there are no data there is no
-/// plane; it casts no shadow.
+/// have the colour of its end; if the function's colours are of another field (TransferFunction.h), its values are
+/// shown. Where there are no data there is no plane; it casts no shadow.
 struct ContourPlane
 {
     Plane plane;

@@ -23,4 +23,7 @@ struct Frame
     std::size_t index(int x, int y) const { return std::size_t(y) * width + x; }
 };
 
+/// Nothing is to be seen in it.
+Frame emptyFrame(const View& view);
+
 } // namespace brickwall

@@ -16,9 +16,9 @@ struct Layer
     double t = 0.0; ///< along the tile's ray
     vec3f color{0.0f};
     float opacity = 1.0f;
-    float shade = 1.0f;    ///< what the colour is multiplied with
-    bool isShaded = false; ///< a light decides over `shade`
-    vec3f gradient{0.0f};  ///< of the field, as SurfaceHit has it
+    float headlight = 1.0f; ///< |cos| of gradient and ray, for surfaces if they are `shaded`
+    bool isShaded = false;  ///< a surface, which light and its highlight change
+    vec3f gradient{0.0f};   ///< of the field, as SurfaceHit has it
 };
 
 /// The layers of a tile's rays.
@@ -31,7 +31,8 @@ struct Layers
     Layer* at(int ray, std::uint32_t number);
 };
 
-/// All surfaces and contour planes of the scene, up to the first surface behind which nothing is visible.
+/// All surfaces (with gradients if `shaded`) and contour planes of the scene, up to the first surface behind which
+/// nothing is visible.
 Layers findLayers(const TileScene& scene, const ViewRays& view, bool shaded, const TilePixels& pixels,
                   const RayTile& tile, TraceCounts& counts);
 

@@ -99,11 +99,11 @@ private:
             matters_[i] = moves && gap() * added.color > shareOf(part, added, i);
             unknown[i] = matters_[i] && !isSeenHere_[i];
             isSeenHere_[i] = isSeenHere_[i] || unknown[i];
-            points[i] = LightVisibility::pointAt(tile_, i, part.tNear[i]);
+            points[i] = SecondaryRays::pointAt(tile_, i, part.tNear[i]);
         }
         light_.from(points, unknown, tile_.count, seen_, result_.counts);
         for (int i = 0; i < tile_.count; ++i)
-            points[i] = LightVisibility::pointAt(tile_, i, part.tFar[i]);
+            points[i] = SecondaryRays::pointAt(tile_, i, part.tFar[i]);
         light_.from(points, matters_, tile_.count, far_, result_.counts);
     }
 

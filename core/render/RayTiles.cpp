@@ -2,6 +2,7 @@
 #include "brickwall/core/render/RayTiles.h"
 
 #include "brickwall/core/base/Error.h"
+#include "brickwall/core/base/SplitMix.h"
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -25,19 +26,11 @@ int evenBits(int code)
     return (code & 1) | (code >> 1 & 2) | (code >> 2 & 4) | (code >> 3 & 8);
 }
 
-/// In [0, 1), the same for a pixel of a screen wherever it is rendered (the mixing function of splitmix64).
+/// In [0, 1), the same for a pixel of a screen wherever it is rendered.
 float offsetOfPixel(int x, int y)
 {
-    std::uint64_t h = (std::uint64_t(std::uint32_t(x)) << 32 | std::uint32_t(y)) + 0x9e3779b97f4a7c15u;
-    h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9u;
-    h = (h ^ (h >> 27)) * 0x94d049bb133111ebu;
-    h ^= h >> 31;
+    const std::uint64_t h = splitMix(std::uint64_t(std::uint32_t(x)) << 32 | std::uint32_t(y));
     return static_cast<float>(h >> 40) * 0x1p-24f;
-}
-
-bool finite(const vec3d& v)
-{
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 /// The matrices of a host may mirror, so that the corners run the other way round; they then say themselves that the
@@ -71,7 +64,7 @@ void checkView(const View& view)
     if (view.screenWidth < 1 || view.screenHeight < 1 || view.window.width < 1 || view.window.height < 1)
         throw Error(place, fmt::format("expected a screen and a window with pixels, found {} x {} and {} x {}",
                                        view.screenWidth, view.screenHeight, view.window.width, view.window.height));
-    if (!finite(view.eye) || !finite(view.lowerLeft) || !finite(view.lowerRight) || !finite(view.upperRight))
+    if (!isFinite(view.eye) || !isFinite(view.lowerLeft) || !isFinite(view.lowerRight) || !isFinite(view.upperRight))
         throw Error(place, "expected finite positions of the eye and the screen's corners");
     if (!(eyeDistance(view) > 0.0) && !mirroredInFront(view))
         throw Error(place,
@@ -96,7 +89,7 @@ ViewRays::ViewRays(const View& view, const Box3i& halfBounds, const mat4d& world
     toLowerLeft_ = transformVector(voxelFromWorld_, view.lowerLeft - view.eye);
     right_ = transformVector(voxelFromWorld_, view.lowerRight - view.lowerLeft);
     up_ = transformVector(voxelFromWorld_, view.upperRight - view.lowerRight);
-    if (!finite(eye_))
+    if (!isFinite(eye_))
         throw Error(fmt::format("view '{}'", view.name), "expected worldFromVoxel to be invertible");
     pixelWidth_ = std::sqrt(glm::length(glm::cross(right_, up_)) / double(view.screenWidth) / view.screenHeight);
     const vec3d nearest = glm::clamp(eye_, bounds_.lower, bounds_.upper);
@@ -137,12 +130,9 @@ void ViewRays::setRay(int ray, const vec3d& direction, const TilePixels& pixels,
 {
     const vec3d org = (eye_ + start_ * direction) - 0.5 * vec3d(origin_);
     auto inside = clip(bounds_, eye_, direction);
-    if (inside && !region_.isEverything()) {
-        const double length = pixels.voxelLength[ray];
-        inside = clip(region_, view_.eye, pixels.worldDirection[ray], inside->first / length, inside->second / length);
-        if (inside)
-            inside = std::pair(inside->first * length, inside->second * length);
-    }
+    if (inside && !region_.isEverything())
+        inside = clip(region_, view_.eye, pixels.worldDirection[ray] / pixels.voxelLength[ray], inside->first,
+                      inside->second);
     for (int axis = 0; axis < 3; ++axis) {
         rays.org[axis][ray] = inside ? static_cast<float>(org[axis]) : 0.0f;
         rays.dir[axis][ray] = static_cast<float>(direction[axis]);

@@ -2,6 +2,8 @@
 #include "brickwall/core/render/Renderer.h"
 
 #include "brickwall/core/base/Error.h"
+#include "brickwall/core/base/InTurn.h"
+#include "brickwall/core/render/RenderChecks.h"
 #include "brickwall/core/render/TileRenderer.h"
 #include "brickwall/core/simd/Target.h"
 #include "brickwall/core/trace/BrickLimits.h"
@@ -26,85 +28,6 @@ using Clock = std::chrono::steady_clock;
 /// Entries at t = i / 1016: the 128 points of an ExaBrick transfer function, at k / 127, fall on every eighth.
 constexpr int tableSize = 8 * 127 + 1;
 
-void checkData(const RegionTree* regions, const PaddedField* field)
-{
-    if (!regions || !field)
-        throw Error("scene", "expected regions and a field, found none");
-    if (field->values.size() != regions->paddedCellCount || field->regionRanges.size() != regions->regions.size())
-        throw Error("scene", "the field belongs to other regions: pad it for these");
-    checkBrickSizes(*regions);
-}
-
-void checkScene(const Scene& scene)
-{
-    checkData(scene.regions.get(), scene.field.get());
-    int last = 0;
-    for (const SceneMember& member : scene.pyramid) {
-        checkData(member.regions.get(), member.field.get());
-        if (member.level <= std::exchange(last, member.level) || member.level > maxLevel)
-            throw Error("scene", "expected members of a pyramid with levels above 0 in ascending order");
-    }
-}
-
-void checkLod(const LodConfig& config)
-{
-    if (!(config.cellPixels >= 0.0f) || !std::isfinite(config.cellPixels))
-        throw Error("lod", fmt::format("expected a finite number of 0 or more, found {:g}", config.cellPixels));
-}
-
-/// Ray parameters are floats: steps have to be more than their rounding, or a ray would stand still.
-void checkSteps(const StepConfig& config, const Box3i& halfBounds)
-{
-    const double extent = 0.5 * glm::length(vec3d(halfBounds.extent()));
-    const double least = extent * 0x1p-22;
-    if (!(config.dt > least) || !std::isfinite(config.dt))
-        throw Error("dt", fmt::format("expected a step of more than {:.2g} cells for data of this extent, found {:g}",
-                                      least, config.dt));
-    if (!(config.terminationOpacity > 0.0f && config.terminationOpacity <= 1.0f))
-        throw Error("termination opacity",
-                    fmt::format("expected more than 0 and at most 1, found {:g}", config.terminationOpacity));
-}
-
-void checkSurface(const IsoSurface& surface)
-{
-    if (!std::isfinite(surface.value))
-        throw Error("isosurface", fmt::format("expected a finite value, found {:g}", surface.value));
-    for (int c = 0; c < 3; ++c)
-        if (!(surface.color[c] >= 0.0f && surface.color[c] <= 1.0f))
-            throw Error("isosurface",
-                        fmt::format("expected a colour with components in [0, 1], found {:g}", surface.color[c]));
-    if (!(surface.opacity > 0.0f && surface.opacity <= 1.0f))
-        throw Error("isosurface",
-                    fmt::format("expected an opacity of more than 0 and at most 1, found {:g}", surface.opacity));
-}
-
-void checkPlane(const ContourPlane& contour)
-{
-    checkPlane(contour.plane, "contour plane");
-    if (!(contour.opacity > 0.0f && contour.opacity <= 1.0f))
-        throw Error("contour plane",
-                    fmt::format("expected an opacity of more than 0 and at most 1, found {:g}", contour.opacity));
-}
-
-void checkTolerance(const BoundedConfig& config)
-{
-    if (!(config.tolerance > 0.0f && config.tolerance <= 1.0f))
-        throw Error("tolerance", fmt::format("expected more than 0 and at most 1, found {:g}", config.tolerance));
-}
-
-void checkLight(const Light& light)
-{
-    const double length = glm::length(light.towards);
-    if (!(length > 0.0) || !std::isfinite(length))
-        throw Error("light", fmt::format("expected a finite direction, not of length 0, found ({:g}, {:g}, {:g})",
-                                         light.towards.x, light.towards.y, light.towards.z));
-    if (!(light.ambient >= 0.0f && light.ambient <= 1.0f))
-        throw Error("light", fmt::format("expected an ambient part from 0 to 1, found {:g}", light.ambient));
-    if (!(light.tolerance > 0.0f && light.tolerance <= 1.0f))
-        throw Error("light",
-                    fmt::format("expected a tolerance of more than 0 and at most 1, found {:g}", light.tolerance));
-}
-
 std::array<double, 6> gradientMetric(const mat4d& worldFromVoxel)
 {
     const glm::dmat3 inverse = stretchOf(worldFromVoxel) * glm::inverse(glm::dmat3(worldFromVoxel));
@@ -115,15 +38,6 @@ std::array<double, 6> gradientMetric(const mat4d& worldFromVoxel)
 std::array<float, 6> toFloat(const std::array<double, 6>& a)
 {
     return {float(a[0]), float(a[1]), float(a[2]), float(a[3]), float(a[4]), float(a[5])};
-}
-
-Frame emptyFrame(const View& view)
-{
-    Frame frame{view, view.window.width, view.window.height, {}, {}};
-    const std::size_t pixels = std::size_t(frame.width) * frame.height;
-    frame.color.resize(pixels, vec4f(0.0f));
-    frame.depth.resize(pixels, 1.0f);
-    return frame;
 }
 
 struct Tile
@@ -185,6 +99,8 @@ struct Renderer::State
     const Executor& executor;
     TransferTable table;
     TransferIntegral integral;
+    TransferTable colorTable; ///< these two if the colours are of another field
+    TransferIntegral colorIntegral;
     /// Of the data, or of a member of the pyramid.
     struct Visible
     {
@@ -195,7 +111,10 @@ struct Renderer::State
     std::vector<Visible> pyramid; ///< one per member
     std::vector<KdNode> surfaceNodes;
 
-    TraceScene volume(const RegionTree& regions, const PaddedField& field, const Visible& itsVisible) const
+    bool isColoredByField() const { return scene.transferFunction.colorField.has_value(); }
+
+    TraceScene volume(const RegionTree& regions, const PaddedField& field, const PaddedField* colorField,
+                      const Visible& itsVisible) const
     {
         TraceScene s;
         s.regions = &regions;
@@ -205,24 +124,19 @@ struct Renderer::State
         s.integral = &integral;
         s.regionBounds = itsVisible.bounds;
         s.gradientMetric = toFloat(gradientMetric(scene.worldFromVoxel));
+        if (isColoredByField())
+            s.colors = {colorField, &colorTable, &colorIntegral};
         return s;
-    }
-
-    Visible visibleOf(const RegionTree& regions, const PaddedField& field) const
-    {
-        Visible v;
-        v.bounds = regionBounds(field, integral, executor);
-        v.nodes = visibleNodes(regions, v.bounds, executor);
-        return v;
     }
 
     TileScene tileScene() const
     {
         TileScene s;
-        s.volume = volume(*scene.regions, *scene.field, visible);
+        s.volume = volume(*scene.regions, *scene.field, scene.colorField.get(), visible);
         for (std::size_t i = 0; i < scene.pyramid.size(); ++i) {
             const SceneMember& member = scene.pyramid[i];
-            s.pyramid.push_back({member.level, volume(*member.regions, *member.field, pyramid[i])});
+            s.pyramid.push_back(
+                {member.level, volume(*member.regions, *member.field, member.colorField.get(), pyramid[i])});
         }
         s.surfaces = scene.surfaces;
         s.surfaceNodes = surfaceNodes;
@@ -235,16 +149,23 @@ struct Renderer::State
         return s;
     }
 
+    /// It knows of no planes and no light but the eye's: with others, surfaces are found as for the other methods.
+    bool referenceHasSurfaces(const RenderSettings& settings) const
+    {
+        return settings.method == Method::reference && scene.planes.empty() && !settings.light &&
+               !settings.ambientOcclusion && settings.specular.strength == 0.0f;
+    }
+
     /// For one call of render: it is small, and made anew only for that method.
     std::optional<ReferenceIntegrator> reference(const RenderSettings& settings) const
     {
         if (settings.method != Method::reference)
             return {};
-        const std::span<const IsoSurface> surfaces = settings.light || !scene.planes.empty()
-                                                         ? std::span<const IsoSurface>()
-                                                         : scene.surfaces; // TileRenderer adds them
+        const std::span<const IsoSurface> surfaces =
+            referenceHasSurfaces(settings) ? scene.surfaces : std::span<const IsoSurface>();
         return ReferenceIntegrator(*scene.regions, *scene.field, scene.transferFunction, surfaces,
-                                   gradientMetric(scene.worldFromVoxel), settings.shading == Shading::headlight);
+                                   gradientMetric(scene.worldFromVoxel), settings.shading == Shading::headlight,
+                                   scene.colorField.get());
     }
 };
 
@@ -252,7 +173,7 @@ Renderer::Renderer(Scene scene, const Executor& executor)
 {
     checkScene(scene);
     const TransferFunction transferFunction = scene.transferFunction;
-    state_ = std::make_unique<State>(State{std::move(scene), executor, {}, {}, {}, {}, {}});
+    state_ = std::make_unique<State>(State{std::move(scene), executor, {}, {}, {}, {}, {}, {}, {}});
     setTransferFunction(transferFunction);
     setSurfaces(std::vector<IsoSurface>(state_->scene.surfaces));
     setPlanes(std::vector<ContourPlane>(state_->scene.planes));
@@ -268,15 +189,30 @@ const Scene& Renderer::scene() const
 
 void Renderer::setTransferFunction(const TransferFunction& transferFunction)
 {
-    const Scene& scene = state_->scene;
-    TransferTable table = tabulate(transferFunction, tableSize);
-    state_->integral = integrate(transferFunction);
-    state_->visible = state_->visibleOf(*scene.regions, *scene.field);
-    state_->pyramid.clear();
-    for (const SceneMember& member : scene.pyramid)
-        state_->pyramid.push_back(state_->visibleOf(*member.regions, *member.field));
-    state_->table = std::move(table);
-    state_->scene.transferFunction = transferFunction;
+    checkTransferFunction(transferFunction, "transfer function");
+    State& state = *state_;
+    checkColorField(state.scene, transferFunction);
+    const bool colored = transferFunction.colorField.has_value();
+    const TransferFunction own = colored ? extinctionFunction(transferFunction) : transferFunction;
+    state.table = tabulate(own, tableSize);
+    state.integral = integrate(own);
+    if (colored) {
+        state.colorTable = tabulate(colorFunction(transferFunction), tableSize);
+        state.colorIntegral = integrate(colorFunction(transferFunction));
+    }
+    const auto visibleOf = [&](const RegionTree& regions, const PaddedField& field, const PaddedField* colorField) {
+        State::Visible v;
+        v.bounds = regionBounds(field, state.integral, state.executor);
+        if (colored)
+            addColors(v.bounds, *colorField, state.colorIntegral, state.executor);
+        v.nodes = visibleNodes(regions, v.bounds, state.executor);
+        return v;
+    };
+    state.visible = visibleOf(*state.scene.regions, *state.scene.field, state.scene.colorField.get());
+    state.pyramid.clear();
+    for (const SceneMember& member : state.scene.pyramid)
+        state.pyramid.push_back(visibleOf(*member.regions, *member.field, member.colorField.get()));
+    state.scene.transferFunction = transferFunction;
 }
 
 void Renderer::setSurfaces(std::vector<IsoSurface> surfaces)
@@ -311,14 +247,11 @@ std::vector<Frame> Renderer::render(std::span<const View> views, const RenderSet
                                     std::vector<ViewStatistics>* statistics) const
 {
     const Scene& scene = state_->scene;
-    checkSteps(settings.step, scene.regions->bounds);
-    checkTolerance(settings.bounded);
-    if (settings.light)
-        checkLight(*settings.light);
-    checkLod(settings.lod);
+    checkSettings(settings, scene.regions->bounds);
     const std::optional<ReferenceIntegrator> reference = state_->reference(settings);
     TileScene tileScene = state_->tileScene();
     tileScene.reference = reference ? &*reference : nullptr;
+    tileScene.referenceHasSurfaces = state_->referenceHasSurfaces(settings);
     std::vector<TileRenderer> renderers;
     std::vector<Frame> frames;
     for (const View& view : views) {
@@ -331,15 +264,13 @@ std::vector<Frame> Renderer::render(std::span<const View> views, const RenderSet
     const std::vector<Tile> tiles = tilesOf(frames);
     std::vector<Counters> counters(views.size());
     progress.begin("rendering", tiles.size());
-    state_->executor.forEach(tiles.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            progress.check();
-            const Tile& tile = tiles[i];
-            const auto tileStart = Clock::now();
-            const TileCounts counts = renderers[tile.view].render(tile.x, tile.y, frames[tile.view]);
-            counters[tile.view].add(counts, std::chrono::nanoseconds(Clock::now() - tileStart).count());
-            progress.advance(1);
-        }
+    forEachInTurn(state_->executor, tiles.size(), [&](std::size_t i) {
+        progress.check();
+        const Tile& tile = tiles[i];
+        const auto tileStart = Clock::now();
+        const TileCounts counts = renderers[tile.view].render(tile.x, tile.y, frames[tile.view]);
+        counters[tile.view].add(counts, std::chrono::nanoseconds(Clock::now() - tileStart).count());
+        progress.advance(1);
     });
     progress.end();
 

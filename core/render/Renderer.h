@@ -9,6 +9,7 @@
 #include "brickwall/core/render/Frame.h"
 #include "brickwall/core/shade/IsoSurface.h"
 #include "brickwall/core/shade/Light.h"
+#include "brickwall/core/shade/SurfaceLook.h"
 #include "brickwall/core/shade/TransferFunction.h"
 #include "brickwall/core/trace/TraceTile.h"
 #include "brickwall/core/trace/TriangleScene.h"
@@ -71,6 +72,8 @@ struct RenderSettings
     Shading shading = Shading::headlight;
     /// Of all methods; without it nothing has a shadow. The methods' own errors are those of the picture without it.
     std::optional<Light> light;
+    Specular specular;                                ///< needs a light or the headlight
+    std::optional<AmbientOcclusion> ambientOcclusion; ///< none: nothing is
 };
 
 /// The data of a scene with all cells finer than `level` averaged into cells of that level (core/model/Pyramid.h).
@@ -79,6 +82,7 @@ struct SceneMember
     int level = 0;
     std::shared_ptr<const RegionTree> regions;
     std::shared_ptr<const PaddedField> field;
+    std::shared_ptr<const PaddedField> colorField = nullptr; ///< if the scene has one
 };
 
 /// What is rendered. Immutable parts are shared, so that a scene with another transfer function costs nothing.
@@ -96,6 +100,9 @@ struct Scene
     /// Opaque triangles that are drawn elsewhere, and not here: rays end there like at a view's SceneDepth, and shadows
     /// are cast. May be null.
     std::shared_ptr<const TriangleScene> occluders = nullptr;
+    /// What the colours of volume, planes and surfaces are of, if the transfer function says that they are of another
+    /// field; of the same regions. Not needed otherwise.
+    std::shared_ptr<const PaddedField> colorField = nullptr;
 };
 
 struct ViewStatistics
@@ -133,7 +140,8 @@ public:
     std::vector<Frame> render(std::span<const View> views, const RenderSettings& settings, Progress& progress,
                               std::vector<ViewStatistics>* statistics = nullptr) const;
 
-    /// Only the visible part changes: the regions and the field stay.
+    /// Only the visible part changes: the regions and the fields stay. Throws Error if it is none, or needs a colour
+    /// field that the scene does not have; then nothing has changed.
     void setTransferFunction(const TransferFunction& transferFunction);
     /// Throws Error if a value, a colour or an opacity is out of its bounds; then nothing has changed.
     void setSurfaces(std::vector<IsoSurface> surfaces);

@@ -11,11 +11,12 @@
 namespace brickwall {
 namespace {
 
-void add(const Layer& layer, int ray, TileResult& result)
+void add(const Layer& layer, const SurfaceShade& shade, int ray, TileResult& result)
 {
     const float weight = result.transmittance[ray] * layer.opacity;
+    const vec3f color = shade(layer.color);
     for (int c = 0; c < 3; ++c)
-        result.color[c][ray] += weight * layer.color[c] * layer.shade;
+        result.color[c][ray] += weight * color[c];
     result.weightedDistance[ray] += weight * static_cast<float>(layer.t);
     result.transmittance[ray] *= 1.0f - layer.opacity;
 }
@@ -35,8 +36,7 @@ TileRenderer::TileRenderer(const ViewRays& rays, const TileScene& scene, const R
         scene_.pyramid.clear();
     for (const TileMember& member : scene_.pyramid)
         levels_.push_back(member.level);
-    if (settings.light)
-        light_.emplace(scene_, settings);
+    lighting_ = std::make_unique<Lighting>(scene_, settings);
 }
 
 TileCounts& TileCounts::operator+=(const TileCounts& other)
@@ -84,17 +84,11 @@ void TileRenderer::integrateAll(const RayTile& tile, const TileMembers& members,
 void TileRenderer::integrate(const RayTile& tile, const TileMembers& members, TileResult& result,
                              TileCounts& counts) const
 {
-    if (!light_)
+    const LightVisibility* light = lighting_->light();
+    if (!light)
         return integrateAll(tile, members, result, counts);
     const auto dark = [&](const RayTile& part, TileResult& sum) { integrateAll(part, members, sum, counts); };
-    integrateLit(dark, *settings_.light, *light_, tile, result);
-}
-
-bool TileRenderer::hasLayers() const
-{
-    // The reference composites surfaces itself, but does not know of planes and light.
-    const bool byMethod = settings_.method == Method::reference && scene_.planes.empty() && !light_;
-    return !byMethod && !(scene_.surfaces.empty() && scene_.planes.empty());
+    integrateLit(dark, *settings_.light, *light, tile, result);
 }
 
 void TileRenderer::trace(const RayTile& tile, const TileMembers& members, Layers& layers, TileResult& result,
@@ -109,37 +103,43 @@ void TileRenderer::trace(const RayTile& tile, const TileMembers& members, Layers
                 part.tFar[i] = std::clamp(static_cast<float>(layer->t), part.tNear[i], tile.tFar[i]);
         }
         integrate(part, members, result, counts);
-        if (light_)
-            light(tile, pass, layers, result);
+        const RayTile::PerRay<SurfaceShade> shades = shadesOf(tile, pass, layers, result);
         for (int i = 0; i < tile.count; ++i) {
             const Layer* layer = layers.at(i, pass);
             part.tNear[i] = part.tFar[i];
             part.tFar[i] = tile.tFar[i];
             more = more || layer;
             if (layer)
-                add(*layer, i, result);
+                add(*layer, shades[i], i, result);
             if (!layer || !(result.transmittance[i] > 0.0f))
                 part.tNear[i] = part.tFar[i];
         }
     }
 }
 
-void TileRenderer::light(const RayTile& tile, std::uint32_t number, Layers& layers, TileResult& result) const
+RayTile::PerRay<SurfaceShade> TileRenderer::shadesOf(const RayTile& tile, std::uint32_t number, Layers& layers,
+                                                     TileResult& result) const
 {
     RayTile::PerRay<SurfacePoint> points;
-    RayTile::PerRay<float> shades;
+    RayTile::PerRay<SurfaceShade> shades{};
+    bool any = false;
     for (int i = 0; i < tile.count; ++i) {
         const Layer* layer = layers.at(i, number);
-        points[i].wanted = layer && layer->isShaded && result.transmittance[i] > 0.0f;
+        if (!layer)
+            continue;
+        shades[i].of = settings_.shading == Shading::headlight ? layer->headlight : 1.0f;
+        points[i].wanted = lighting_->changesSurfaces() && layer->isShaded && result.transmittance[i] > 0.0f;
         if (!points[i].wanted)
             continue;
-        points[i].position = LightVisibility::pointAt(tile, i, layer->t);
-        points[i].normal = light_->worldNormal(layer->gradient, tile, i);
+        any = true;
+        points[i].position = SecondaryRays::pointAt(tile, i, layer->t);
+        points[i].normal = lighting_->rays().worldNormal(layer->gradient, tile, i);
+        points[i].toEye = -lighting_->rays().worldDirection(tile, i);
+        points[i].headlight = shades[i].of;
     }
-    light_->onSurfaces(points, tile.count, shades, result.counts);
-    for (int i = 0; i < tile.count; ++i)
-        if (points[i].wanted)
-            layers.at(i, number)->shade = shades[i];
+    if (any)
+        lighting_->shade(points, tile.offset, tile.count, shades, result.counts);
+    return shades;
 }
 
 void TileRenderer::count(const RayTile& tile, const TileResult& result, const Layers& layers, TileCounts& counts) const
@@ -186,23 +186,28 @@ TileRenderer::Ends TileRenderer::endRays(const TilePixels& pixels, RayTile& tile
     return ends;
 }
 
-RayTile::PerRay<float> TileRenderer::shadesOf(const TilePixels& pixels, const Ends& ends, TileResult& result) const
+RayTile::PerRay<SurfaceShade> TileRenderer::shadesOf(const TilePixels& pixels, const Ends& ends, const RayTile& tile,
+                                                     TileResult& result) const
 {
     RayTile::PerRay<SurfacePoint> points;
-    RayTile::PerRay<float> shades{};
+    RayTile::PerRay<SurfaceShade> shades{};
     for (int i = 0; i < pixels.count; ++i) {
         const TriangleHit& hit = ends.hits[i];
-        points[i].wanted = light_ && hit.hit && result.transmittance[i] > 0.0f;
-        const double cosine = glm::dot(vec3d(hit.normal), glm::normalize(pixels.worldDirection[i]));
-        shades[i] = static_cast<float>(0.2 + 0.8 * std::abs(cosine));
+        if (!hit.hit)
+            continue;
+        const vec3d toEye = -glm::normalize(pixels.worldDirection[i]);
+        const double cosine = glm::dot(vec3d(hit.normal), toEye);
+        shades[i].of = static_cast<float>(0.2 + 0.8 * std::abs(cosine));
+        points[i].wanted = lighting_->changesSurfaces() && result.transmittance[i] > 0.0f;
         if (!points[i].wanted)
             continue;
-        points[i].position = light_->positionOf(rays_.view().eye + double(hit.t) * pixels.worldDirection[i]);
-        points[i].normal = (cosine > 0.0 ? -1.0 : 1.0) * vec3d(hit.normal);
+        points[i].position = lighting_->rays().pointOf(rays_.view().eye + double(hit.t) * pixels.worldDirection[i]);
+        points[i].normal = (cosine < 0.0 ? -1.0 : 1.0) * vec3d(hit.normal);
+        points[i].toEye = toEye;
+        points[i].headlight = shades[i].of;
     }
-    if (!light_)
-        return shades;
-    light_->onSurfaces(points, pixels.count, shades, result.counts);
+    if (lighting_->changesSurfaces())
+        lighting_->shade(points, tile.offset, pixels.count, shades, result.counts);
     return shades;
 }
 
@@ -213,11 +218,12 @@ TileCounts TileRenderer::render(int x, int y, Frame& frame) const
     TileResult result;
     rays_.fill(x, y, pixels, tile);
     const Ends ends = endRays(pixels, tile);
-    const bool shaded = light_ || settings_.shading == Shading::headlight;
-    Layers layers = hasLayers() ? findLayers(scene_, rays_, shaded, pixels, tile, result.counts) : Layers{};
+    const bool shaded = lighting_->changesSurfaces() || settings_.shading == Shading::headlight;
+    const bool hasLayers = !scene_.referenceHasSurfaces && !(scene_.surfaces.empty() && scene_.planes.empty());
+    Layers layers = hasLayers ? findLayers(scene_, rays_, shaded, pixels, tile, result.counts) : Layers{};
     TileCounts counts;
     trace(tile, TileMembers(rays_, pixels, levels_, settings_.lod.cellPixels), layers, result, counts);
-    const RayTile::PerRay<float> shades = scene_.triangles ? shadesOf(pixels, ends, result) : RayTile::PerRay<float>{};
+    const auto shades = scene_.triangles ? shadesOf(pixels, ends, tile, result) : RayTile::PerRay<SurfaceShade>{};
 
     for (int i = 0; i < pixels.count; ++i) {
         const float through = result.transmittance[i];
@@ -226,7 +232,7 @@ TileCounts TileRenderer::render(int x, int y, Frame& frame) const
         // Where there is next to no opacity, rounding would throw the mean far off.
         double mean = weight > 0.0 ? std::clamp(distance / weight, double(tile.tNear[i]), double(tile.tFar[i])) : 0.0;
         if (ends.hits[i].hit) {
-            color += vec4f(through * shades[i] * ends.hits[i].color, through);
+            color += through * vec4f(shades[i](ends.hits[i].color), 1.0f);
             mean = weight * mean + through * rays_.tileFromWorld(i, ends.hits[i].t, pixels);
             weight = 1.0;
         }

@@ -3,14 +3,14 @@
 
 #include "brickwall/core/render/Frame.h"
 #include "brickwall/core/render/Layers.h"
-#include "brickwall/core/render/LightVisibility.h"
+#include "brickwall/core/render/Lighting.h"
 #include "brickwall/core/render/RayTiles.h"
 #include "brickwall/core/render/TileMembers.h"
 #include "brickwall/core/render/TileScene.h"
 
 #include <array>
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <vector>
 
 namespace brickwall {
@@ -48,8 +48,6 @@ private:
 
     Ends endRays(const TilePixels& pixels, RayTile& tile) const;
     void intersect(const TriangleScene* triangles, const TilePixels& pixels, RayTile::PerRay<TriangleHit>& hits) const;
-    /// Whether surfaces and planes are found here, and not by the method.
-    bool hasLayers() const;
     /// The volume in front of each layer in turn, then that layer; after the last one the rest of the volume.
     void trace(const RayTile& tile, const TileMembers& members, Layers& layers, TileResult& result,
                TileCounts& counts) const;
@@ -58,17 +56,19 @@ private:
     /// In the data first, further away in one member of the pyramid after the other.
     void integrateAll(const RayTile& tile, const TileMembers& members, TileResult& result, TileCounts& counts) const;
     void integrateIn(std::size_t member, const RayTile& tile, TileResult& result, TileCounts& counts) const;
-    /// Gives the layers with this number of all rays their light, instead of that of the eye.
-    void light(const RayTile& tile, std::uint32_t number, Layers& layers, TileResult& result) const;
-    /// What the colours of triangles that are drawn are multiplied with.
-    RayTile::PerRay<float> shadesOf(const TilePixels& pixels, const Ends& ends, TileResult& result) const;
+    /// Of the layers with this number of all rays.
+    RayTile::PerRay<SurfaceShade> shadesOf(const RayTile& tile, std::uint32_t number, Layers& layers,
+                                           TileResult& result) const;
+    /// Of the triangles that are drawn.
+    RayTile::PerRay<SurfaceShade> shadesOf(const TilePixels& pixels, const Ends& ends, const RayTile& tile,
+                                           TileResult& result) const;
     void count(const RayTile& tile, const TileResult& result, const Layers& layers, TileCounts& counts) const;
 
     ViewRays rays_;
     TileScene scene_;
     RenderSettings settings_;
     std::vector<int> levels_; ///< of the pyramid
-    std::optional<LightVisibility> light_;
+    std::unique_ptr<const Lighting> lighting_;
 };
 
 } // namespace brickwall

@@ -32,6 +32,7 @@ struct TileScene
     const TriangleScene* triangles = nullptr;       ///< may be null
     const TriangleScene* occluders = nullptr;       ///< may be null
     const ReferenceIntegrator* reference = nullptr; ///< for that method
+    bool referenceHasSurfaces = false;              ///< and composites them itself
 };
 
 /// Integrates a volume alone along the rays of a tile, by the method of the settings; their light is not asked.

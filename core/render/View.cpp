@@ -28,12 +28,7 @@ std::string placeOf(const std::string& name)
     return name.empty() ? "view" : fmt::format("view '{}'", name);
 }
 
-bool finite(const vec3d& v)
-{
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-bool finite(const mat4d& m)
+bool allFinite(const mat4d& m)
 {
     for (int c = 0; c < 4; ++c)
         for (int r = 0; r < 4; ++r)
@@ -69,14 +64,14 @@ struct SeenScreen
 SeenScreen seenScreen(const std::string& place, const vec3d& eye, const vec3d& lowerLeft, const vec3d& lowerRight,
                       const vec3d& upperRight)
 {
-    if (!finite(eye))
+    if (!isFinite(eye))
         throw Error(place, fmt::format("the eye ({:g}, {:g}, {:g}) is not finite", eye.x, eye.y, eye.z));
     const vec3d across = lowerRight - lowerLeft;
     const vec3d upwards = upperRight - lowerRight;
     const vec3d area = glm::cross(across, upwards);
     SeenScreen s;
     s.width = glm::length(across);
-    if (!finite(lowerLeft) || !finite(area) || !(glm::length(area) > parallel * s.width * glm::length(upwards)))
+    if (!isFinite(lowerLeft) || !isFinite(area) || !(glm::length(area) > parallel * s.width * glm::length(upwards)))
         throw Error(place, "the corners make no screen: expected three finite points that are not on a line");
     s.right = across / s.width;
     s.normal = glm::normalize(area);
@@ -202,7 +197,7 @@ View viewOfMatrices(std::string name, const mat4d& modelview, const mat4d& proje
     const std::string place = placeOf(name);
     checkSize(place, width, height);
     const mat4d clipFromWorld = projection * modelview;
-    if (!finite(modelview) || !finite(projection) || !finite(clipFromWorld))
+    if (!allFinite(modelview) || !allFinite(projection) || !allFinite(clipFromWorld))
         throw Error(place, "expected a perspective projection, found matrices with numbers that are not finite");
     const Pencil p = pencilOf(place, clipFromWorld);
     checkDepthRow(place, clipFromWorld, p.eye);
@@ -224,7 +219,7 @@ View viewOfCamera(std::string name, const vec3d& eye, const vec3d& at, const vec
     const vec3d forward = at - eye;
     const double distance = glm::length(forward);
     const vec3d side = glm::cross(forward, up);
-    if (!finite(eye) || !finite(side) || !(glm::length(side) > parallel * distance * glm::length(up)))
+    if (!isFinite(eye) || !isFinite(side) || !(glm::length(side) > parallel * distance * glm::length(up)))
         throw Error(place,
                     "expected a point to look at that is not the eye, and an up direction across the line of sight");
     const vec3d right = glm::normalize(side);

@@ -97,7 +97,31 @@ TEST(RenderPyramid, AFarViewOfDataWithTwoMoreLevelsCostsTheSame)
         EXPECT_LE(cost(fine, 1.0f), 1.3 * cost(coarse, 1.0f));
         if (settings.method == Method::midpoint) {
             EXPECT_GE(cost(fine, 0.0f), 2.0 * cost(coarse, 0.0f));
+        } else { // it was four times as much: see below
+            EXPECT_LE(cost(coarse, 1.0f), 1.3 * cost(fine, 1.0f));
         }
+    }
+}
+
+/// The first step along a ray was half a voxel, whatever cells the ray began in: short steps in wide cells, and as
+/// one length of step serves for a region, many of them.
+TEST(RenderPyramid, CellsOfAnyLevelCostTheSame)
+{
+    const double cell = 0.25;
+    mat4d worldFromVoxel(cell);
+    worldFromVoxel[3] = vec4d(-16.0, -16.0, -16.0, 1.0);
+    const auto ball = [=](const vec3d& voxel) {
+        const vec3d p = voxel * cell - 16.0;
+        return std::exp(-0.02 * glm::dot(p, p));
+    };
+    const TransferFunction tf = extinctionRamp({0.02f, 1.0f}, 0.0f, static_cast<float>(0.15 * cell), false);
+    const Scene plain = ballOn(32);
+    const Scene ofLevel2 = withPyramid(cubeOfBricks(vec3i(0), 128, 16, 2), ball, tf, worldFromVoxel);
+    for (const float lod : {0.0f, 1.0f}) {
+        const auto fetches = [&](const Scene& scene) {
+            return double(statisticsOf(scene, from(200.0), withLod(boundedSettings(), lod)).counts.fetches);
+        };
+        EXPECT_NEAR(fetches(ofLevel2) / fetches(plain), 1.0, 0.02) << lod;
     }
 }
 
