@@ -15,11 +15,6 @@
 namespace brickwall {
 namespace {
 
-bool finite(const vec3d& v)
-{
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 std::string label(const char* kind, std::size_t number, const std::string& name)
 {
     return name.empty() ? fmt::format("{} {}", kind, number) : fmt::format("{} {} '{}'", kind, number, name);
@@ -47,7 +42,7 @@ void checkScreen(const Screen& s, const std::string& place)
 {
     const vec3d across = s.lowerRight - s.lowerLeft, upwards = s.upperRight - s.lowerRight;
     const double area = glm::length(glm::cross(across, upwards));
-    if (!finite(s.lowerLeft) || !std::isfinite(area) || !(area > 1e-12 * glm::length(across) * glm::length(upwards)))
+    if (!isFinite(s.lowerLeft) || !std::isfinite(area) || !(area > 1e-12 * glm::length(across) * glm::length(upwards)))
         throw Error(place,
                     "the corners make no screen: expected lower left, lower right and upper right, three finite points "
                     "that are not on a line");
@@ -62,8 +57,8 @@ void checkViewer(const Viewer& v, const std::string& place)
     bool affine = v.roomFromHead[0].w == 0.0 && v.roomFromHead[1].w == 0.0 && v.roomFromHead[2].w == 0.0 &&
                   v.roomFromHead[3].w == 1.0;
     for (int c = 0; c < 4; ++c)
-        affine = affine && finite(vec3d(v.roomFromHead[c]));
-    if (!affine || !finite(v.leftEye) || !finite(v.rightEye))
+        affine = affine && isFinite(vec3d(v.roomFromHead[c]));
+    if (!affine || !isFinite(v.leftEye) || !isFinite(v.rightEye))
         throw Error(place, "expected a finite head pose (last row 0 0 0 1) and finite eye points");
 }
 

@@ -10,7 +10,7 @@ namespace brickwall {
 namespace {
 
 constexpr double largestShare = 0.9; ///< a lever that seems to do nothing is tried again
-constexpr double shareVariance = 0.15 * 0.15;
+constexpr double forgetting = 0.015; ///< how far a share may change from one time that levers are moved to the next
 constexpr int iterations = 5;
 
 /// As measured on the samples; low rather than high: the first step then is too short rather than too long.
@@ -19,14 +19,24 @@ double usualShare(Lever lever)
     return lever == Lever::imageScale ? 0.03 : 0.15;
 }
 
+/// How far it may be from that: of an image's pixels next to all take their time, of a tolerance that is not known.
+double usualDoubt(Lever lever)
+{
+    return lever == Lever::imageScale ? 0.05 : 0.15;
+}
+
+double square(double x)
+{
+    return x * x;
+}
+
 bool isRange(const LeverRange& range)
 {
     if (!std::isfinite(range.finest) || !std::isfinite(range.coarsest))
         return false;
     if (range.lever == Lever::imageScale)
         return range.finest <= 8.0 && range.coarsest >= 1.0 && range.coarsest <= range.finest;
-    const bool fromZero = range.lever == Lever::pyramidBias && range.finest == 0.0;
-    return (range.finest > 0.0 || fromZero) && range.coarsest >= range.finest;
+    return range.finest > 0.0 && range.coarsest >= range.finest;
 }
 
 } // namespace
@@ -37,6 +47,7 @@ FrameCost::FrameCost(LeverTable table) : table_(std::move(table))
         if (!isRange(range))
             throw std::invalid_argument("a lever's range is not from its finest to its coarsest value");
         shares_.push_back(usualShare(range.lever));
+        variances_.push_back(square(usualDoubt(range.lever)));
     }
 }
 
@@ -109,19 +120,24 @@ void FrameCost::learn(const FrameLevers& from, const FrameLevers& to, double log
 {
     if (!std::isfinite(logRatio) || !(variance > 0.0))
         return;
+    for (std::size_t i = 0; i < table_.size(); ++i)
+        variances_[i] = std::min(variances_[i] + square(forgetting), square(usualDoubt(table_[i].lever)));
     const std::vector<double> before = shares_;
+    std::vector<double> slopes(table_.size());
+    double sum = 0.0; ///< variance of what is measured, less what is thought
     for (int iteration = 0; iteration < iterations; ++iteration) {
-        std::vector<double> slopes;
-        double missing = logRatio - (logFactor(to) - logFactor(from)), squares = 0.0;
+        double missing = logRatio - (logFactor(to) - logFactor(from));
+        sum = variance;
         for (std::size_t i = 0; i < table_.size(); ++i) {
-            slopes.push_back(slope(i, to) - slope(i, from));
+            slopes[i] = slope(i, to) - slope(i, from);
             missing -= slopes[i] * (before[i] - shares_[i]);
-            squares += slopes[i] * slopes[i];
+            sum += variances_[i] * square(slopes[i]);
         }
-        const double gain = shareVariance / (shareVariance * squares + variance);
         for (std::size_t i = 0; i < table_.size(); ++i)
-            shares_[i] = std::clamp(before[i] + gain * slopes[i] * missing, 0.0, largestShare);
+            shares_[i] = std::clamp(before[i] + variances_[i] * slopes[i] / sum * missing, 0.0, largestShare);
     }
+    for (std::size_t i = 0; i < table_.size(); ++i)
+        variances_[i] *= 1.0 - variances_[i] * square(slopes[i]) / sum;
 }
 
 } // namespace brickwall

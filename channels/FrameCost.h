@@ -46,6 +46,7 @@ private:
 
     LeverTable table_;
     std::vector<double> shares_;
+    std::vector<double> variances_; ///< how well they are known
 };
 
 } // namespace brickwall

@@ -7,9 +7,24 @@
 namespace brickwall {
 namespace {
 
-constexpr double coarsestTolerance = 0.1;
-constexpr double coarsestDt = 2.0; ///< 5 is darker by 4 % where waves are 8 cells long
+constexpr double coarsestTolerance = 0.4; ///< seen less than 6/8 of the pixels, and as fast (docs/decisions/0043)
+constexpr double coarsestDt = 2.0;        ///< 5 is darker by 4 % where waves are 8 cells long
 constexpr double smallestEighths = 2.0;
+
+/// Samples per ray grow with the tolerance's inverse to this power; coarser ones save more (docs/speed-accuracy.md).
+constexpr double fineExponent = 0.5, coarseExponent = 0.8, coarseFrom = 0.02;
+
+double samplesAt(double tolerance)
+{
+    const double exponent = tolerance < coarseFrom ? fineExponent : coarseExponent;
+    return std::pow(tolerance / coarseFrom, -exponent);
+}
+
+double toleranceWith(double samples)
+{
+    const double exponent = samples > 1.0 ? fineExponent : coarseExponent;
+    return coarseFrom * std::pow(samples, -1.0 / exponent);
+}
 
 constexpr LeverRange imageScale{Lever::imageScale, 8.0, smallestEighths};
 
@@ -32,8 +47,6 @@ double valueOf(const FrameLevers& levers, Lever lever)
         return levers.tolerance;
     case Lever::dt:
         return levers.dt;
-    case Lever::pyramidBias:
-        return levers.pyramidBias;
     case Lever::imageScale:
         break;
     }
@@ -49,9 +62,6 @@ void setValue(FrameLevers& levers, Lever lever, double value)
     case Lever::dt:
         levers.dt = value;
         return;
-    case Lever::pyramidBias:
-        levers.pyramidBias = value;
-        return;
     case Lever::imageScale:
         levers.imageEighths = static_cast<int>(std::lround(value));
     }
@@ -61,11 +71,9 @@ double workAt(const LeverRange& range, double value)
 {
     switch (range.lever) {
     case Lever::tolerance:
-        return std::sqrt(range.finest / value);
+        return samplesAt(value) / samplesAt(range.finest);
     case Lever::dt:
         return range.finest / value;
-    case Lever::pyramidBias:
-        return std::exp2(range.finest - value);
     case Lever::imageScale:
         break;
     }
@@ -77,11 +85,9 @@ double valueWithWork(const LeverRange& range, double work)
     const double w = std::clamp(work, workAt(range, range.coarsest), 1.0);
     switch (range.lever) {
     case Lever::tolerance:
-        return std::clamp(range.finest / (w * w), range.finest, range.coarsest);
+        return std::clamp(toleranceWith(w * samplesAt(range.finest)), range.finest, range.coarsest);
     case Lever::dt:
         return std::clamp(range.finest / w, range.finest, range.coarsest);
-    case Lever::pyramidBias:
-        return std::clamp(range.finest - std::log2(w), range.finest, range.coarsest);
     case Lever::imageScale:
         break;
     }

@@ -12,13 +12,12 @@ struct FrameLevers
 {
     double tolerance = 1.0 / 255.0; ///< of the bounded method
     double dt = 0.5;                ///< of the methods that take steps
-    double pyramidBias = 0.0;       ///< levels coarser than the pixels ask for
     int imageEighths = 8;           ///< the image's width and height, in eighths of the channel's; 1 to 8
 
     bool operator==(const FrameLevers&) const = default;
 };
 
-enum class Lever { tolerance, dt, pyramidBias, imageScale };
+enum class Lever { tolerance, dt, imageScale };
 
 /// A lever, and how far it may be moved: from what the user wants to the coarsest setting that is still worth showing.
 struct LeverRange
@@ -32,7 +31,7 @@ struct LeverRange
 /// given back. One that a renderer does not have is not in the table.
 using LeverTable = std::vector<LeverRange>;
 
-/// The tables of a renderer without a pyramid: tolerance, or dt, then the image's scale.
+/// Tolerance, or dt, then the image's scale.
 LeverTable leversForTolerance(double wanted);
 LeverTable leversForDt(double wanted);
 
@@ -40,8 +39,8 @@ double valueOf(const FrameLevers& levers, Lever lever);
 void setValue(FrameLevers& levers, Lever lever, double value);
 
 /// What a frame has to do at a value, as a part of what it has to do at the finest one; in (0, 1]. Samples per ray grow
-/// as 1 / sqrt(tolerance) (docs/speed-accuracy.md: wake takes 16 ms + 4.9 ms / sqrt(tolerance)) and as 1 / dt, cells
-/// along a ray as 2^-bias, rays as the square of the image's scale.
+/// as tolerance^-0.5, and as ^-0.8 where it is above 0.02 (docs/decisions/0043 has the measurements), and as 1 / dt;
+/// rays as the square of the image's scale.
 double workAt(const LeverRange& range, double value);
 /// The finest value with no more than this work: the inverse, within the range, rounded to the cheaper eighth.
 double valueWithWork(const LeverRange& range, double work);

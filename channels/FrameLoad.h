@@ -34,9 +34,13 @@ public:
     Change forgetBeforeChange(const FrameCost& cost);
 
     int frames() const { return int(frames_.size()); }
-    /// The median of as many of the newest frames as the noise makes necessary. There has to be a frame.
+    /// For the next frame: the median, or where the load surely drifts, the straight line through the frames. There has
+    /// to be a frame.
     double estimate(const FrameCost& cost) const;
-    /// The median of at most `most` newest frames, as measured, if there are `least` of them at the same levers.
+    /// By how much the load grows from frame to frame; 0 where the noise would explain that.
+    double drift(const FrameCost& cost) const;
+    /// The median of at most `most` newest frames, as measured, if there are `least` of them at the same levers; of two
+    /// the shorter one.
     std::optional<double> logTimeAtNewest(std::size_t least, std::size_t most) const;
     /// Standard deviation of a frame's logarithm, as far as it is not the load that changes.
     double noise() const { return noise_; }
@@ -51,7 +55,7 @@ public:
         double logRatio = 0.0;
         double variance = 0.0;
     };
-    std::optional<LeverChange> leverChange() const;
+    std::optional<LeverChange> leverChange(const FrameCost& cost) const;
 
 private:
     std::size_t framesNeeded() const;
@@ -59,6 +63,8 @@ private:
     {
         return frame.logTime - cost.logFactor(frame.levers);
     }
+
+    std::vector<double> loadsOf(const FrameCost& cost) const;
 
     std::deque<Frame> frames_; ///< the newest last
     double noise_ = 0.1;

@@ -9,8 +9,8 @@
 namespace brickwall {
 namespace {
 
-constexpr double littleNoise = 0.04;   ///< up to which no quiet is needed
-constexpr double fullNoise = 0.08;     ///< from which on quietSeconds count in full
+constexpr double littleNoise = 0.065;  ///< up to which no quiet is needed
+constexpr double fullNoise = 0.085;    ///< from which on quietSeconds count in full
 constexpr double surprise = 4.0;       ///< standard deviations
 constexpr double vain = 0.5;           ///< seconds; a raise that is taken back before was one too many
 constexpr double firstPatience = 0.25; ///< seconds
@@ -27,6 +27,11 @@ constexpr double shortest = 1e-7, longest = 1e6; ///< seconds, what is beyond co
 bool isPositive(double value)
 {
     return std::isfinite(value) && value > 0.0;
+}
+
+double logOf(double work)
+{
+    return std::clamp(std::log(work), -100.0, 100.0);
 }
 
 } // namespace
@@ -58,31 +63,30 @@ double FrameTime::logTarget() const
     return std::log(config_.targetSeconds);
 }
 
-const FrameDecision& FrameTime::report(const FrameLevers& levers, double seconds, double work)
+void FrameTime::report(const FrameLevers& levers, double seconds, double work)
 {
     if (!isPositive(seconds) || !isPositive(work)) {
         ++ignored_;
-        return decision_;
+        return;
     }
     const FrameLevers used = cost_.clamped(levers);
     const double time = std::clamp(seconds, shortest, longest);
-    logWork_ = std::clamp(std::log(work), -100.0, 100.0);
     for (double* since : {&sinceChange_, &sinceRaise_, &sinceLowering_})
         *since += std::max(time, 0.5 * config_.targetSeconds); // nobody asks for many more frames than the target
     if (sinceLowering_ > 2.0 * patience_)
         patience_ = 0.0;
     ++framesSinceChange_;
     seen_ = seen_ || used == decision_.levers || framesSinceChange_ > longestDelay;
-    load_.add({used, std::log(time) - logWork_}, cost_);
-    const std::optional<FrameLoad::LeverChange> moved = load_.leverChange();
+    logWorkBefore_ = logOf(work);
+    load_.add({used, std::log(time) - logWorkBefore_}, cost_);
+    const std::optional<FrameLoad::LeverChange> moved = load_.leverChange(cost_);
     const FrameLoad::Change change = load_.forgetBeforeChange(cost_);
     changed_ = changed_ || change != FrameLoad::Change::none;
     if (change == FrameLoad::Change::ofLoad)
         forgetTries();
     if (moved && std::abs(learn(*moved)) > surprise * std::sqrt(moved->variance))
         changed_ = true;
-    decide();
-    return decision_;
+    watchLoad();
 }
 
 /// Returns what had been thought wrongly.
@@ -112,10 +116,13 @@ void FrameTime::watchLoad()
         settled_ = measured;
 }
 
-void FrameTime::decide()
+const FrameDecision& FrameTime::decide(double work)
 {
+    if (isPositive(work))
+        logWork_ = logOf(work);
+    if (load_.frames() == 0)
+        return decision_;
     const double load = load_.estimate(cost_) + logWork_;
-    watchLoad();
     if (seen_ && load_.frames() >= 2) {
         if (const std::optional<double> factor = wantedFactor(load))
             move(*factor);
@@ -123,6 +130,7 @@ void FrameTime::decide()
     const double cheapest = load + cost_.logFactor(cost_.coarsest());
     decision_.unreachable = cheapest > logTarget() + std::log(config_.bandHigh);
     decision_.expectedSeconds = std::exp(load + cost_.logFactor(decision_.levers));
+    return decision_;
 }
 
 std::optional<double> FrameTime::wantedFactor(double load)
@@ -134,7 +142,7 @@ std::optional<double> FrameTime::wantedFactor(double load)
     const double missing = expected - std::log(config_.aim);
     const bool tooLong = expected > std::log(config_.bandHigh), tooShort = expected < std::log(config_.bandLow);
     if (tooLong || tooShort) {
-        const bool mayMove = quiet || (tooLong ? changed_ && missing > noisy * pressing : raising_);
+        const bool mayMove = quiet || (tooLong ? changed_ && missing > noisy * pressing : raising_ && noisy < 0.5);
         if (!mayMove || std::abs(missing) <= doubt)
             return std::nullopt;
         return tooLong ? lower(load) : higher(load);
@@ -175,7 +183,8 @@ std::optional<double> FrameTime::higher(double load)
     const double now = cost_.logFactor(decision_.levers);
     const double wanted = std::min(logTarget() + std::log(config_.aim) - load, 0.0);
     const double safe = logTarget() + std::log(config_.safeRise) - load;
-    double factor = std::min(wanted, std::max(safe, now + std::log(config_.fastestRise)));
+    const double known = std::max(0.0, logWorkBefore_ - logWork_); // that there is less to do is no experiment
+    double factor = std::min(wanted, std::max(safe, now + known + std::log(config_.fastestRise)));
     const double limit = tooFine_ ? std::min(wanted, 0.5 * (now + cost_.logFactor(*tooFine_))) : wanted;
     factor = std::min(factor, limit);
     while (factor < limit && cost_.logFactor(cost_.solve(factor)) < now + leastMove) // less than an eighth of the image

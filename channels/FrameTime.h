@@ -15,12 +15,15 @@ struct FrameTimeConfig
     double bandLow = 0.86;
     double bandHigh = 1.10;
     double aim = 0.97;              ///< what levers are moved to
-    double fastestRise = 1.35;      ///< of the time by one decision, where there is time left
+    double fastestRise = 1.3;       ///< of the time by one decision, where there is time left
     double safeRise = 0.5;          ///< up to this part of the target it rises at once
-    double quietSeconds = 1.0;      ///< between decisions that no change of the load asks for, where there is noise
+    double quietSeconds = 1.05;     ///< between decisions that no change of the load asks for, where there is noise
     double longestPatience = 2.0;   ///< seconds that levers stay down where going up was in vain again and again
     double wantedUncertainty = 2.5; ///< standard deviations by which an expectation leaves the band
 };
+
+/// What users may ask for, and what they get if they do not: frames per second.
+inline constexpr double lowestFps = 5.0, highestFps = 60.0, usualFps = 20.0;
 
 /// One decision, for all eyes and screens of a rig: a plain record, to be sent to every node that renders.
 struct FrameDecision
@@ -36,11 +39,12 @@ struct FrameDecision
 /// what frames took, and at which levers. The time is that of rendering, not the interval of a display, which counts in
 /// whole refreshes.
 ///
-/// It knows the load (how long a frame takes at the finest setting, FrameLoad) and what levers do to it (FrameCost),
-/// and solves for the setting whose time is the target. Down at once, up by steps; nothing in a dead band around the
-/// target; never twice before a frame at the new setting was seen; on noise at most once in `quietSeconds`. Where more
-/// accuracy was tried and took too long, it is not tried again until the load changes: a time that jumps (a display
-/// that counts in refreshes) leads to no cycle.
+/// Before each frame it is asked what to do (decide) and after it told what that took (report). It knows the load (how
+/// long a frame takes at the finest setting for its work, FrameLoad) and what levers do to it (FrameCost), and solves
+/// for the setting whose time is the target. Down at once, up by steps; nothing in a dead band around the target; never
+/// twice before a frame at the new setting was seen; on noise at most once in `quietSeconds`. Where more accuracy was
+/// tried and took too long, it is not tried again until the load changes: a time that jumps (a display that counts in
+/// refreshes) leads to no cycle.
 ///
 /// Not thread-safe.
 class FrameTime
@@ -51,11 +55,15 @@ public:
     explicit FrameTime(LeverTable table, const FrameTimeConfig& config = {});
 
     /// A frame took so long at these levers, which may be older than the newest decision. `work` is what is known in
-    /// advance about frames, in any unit (pixels of all views): time is taken to grow with it, so that a window that is
-    /// resized is no surprise. Times and works that are not positive and finite are counted and change nothing.
-    const FrameDecision& report(const FrameLevers& levers, double seconds, double work = 1.0);
+    /// advance about frames, in any unit (workOf, pixelsOf): time is taken to grow with it, so that neither a window
+    /// that is resized is a surprise nor data that come nearer. Times and works that are not positive and finite are
+    /// counted and change nothing.
+    void report(const FrameLevers& levers, double seconds, double work = 1.0);
 
-    /// What the next frame shall be rendered with.
+    /// What the next frame shall be rendered with, if `work` is what is known in advance about it. To be asked once
+    /// before each frame.
+    const FrameDecision& decide(double work = 1.0);
+    /// What was decided last.
     const FrameDecision& decision() const { return decision_; }
     /// The levers' time as it is known now.
     const FrameCost& cost() const { return cost_; }
@@ -70,7 +78,6 @@ private:
     double learn(const FrameLoad::LeverChange& moved);
     void forgetTries();
     void watchLoad();
-    void decide();
     /// To what the logarithm of the levers' factor shall be changed, if it shall.
     std::optional<double> wantedFactor(double load);
     std::optional<double> lower(double load);
@@ -82,7 +89,8 @@ private:
     FrameCost cost_;
     FrameLoad load_;
     FrameDecision decision_;
-    double logWork_ = 0.0;       ///< of the newest frame
+    double logWork_ = 0.0;       ///< of the next frame
+    double logWorkBefore_ = 0.0; ///< of the one before
     double sinceRaise_ = 1e9;    ///< seconds
     double sinceLowering_ = 1e9; ///< seconds
     double patience_ = 0.0;      ///< seconds after a lowering before the first raise

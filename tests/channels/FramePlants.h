@@ -34,7 +34,7 @@ struct Plant
     /// Without noise, spikes and display.
     double secondsAt(const FrameLevers& levers, int frame) const
     {
-        const double work = std::pow(std::sqrt((1.0 / 255.0) / levers.tolerance), exponent);
+        const double work = std::pow(workAt({Lever::tolerance, 1.0 / 255.0, 0.1}, levers.tolerance), exponent);
         const double scale = levers.imageEighths / 8.0;
         return constantSeconds +
                loadAt(frame) * finestSeconds * (share + (1.0 - share) * work) * (0.02 + 0.98 * scale * scale);
@@ -92,7 +92,8 @@ inline std::vector<FlownFrame> fly(const Plant& plant, FrameTime& controller, in
         FlownFrame frame = clock.next(underway.front());
         underway.pop_front();
         const FrameLevers before = controller.decision().levers;
-        frame.moved = !(controller.report(frame.levers, frame.measured).levers == before);
+        controller.report(frame.levers, frame.measured);
+        frame.moved = !(controller.decide().levers == before);
         flown.push_back(frame);
     }
     return flown;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <limits>
 #include <stdexcept>
 #include <type_traits>
@@ -66,6 +67,45 @@ TEST(FrameTime, ALoadThatDriftsIsFollowed)
     }
 }
 
+/// Frames within 20 % of the target, as a part.
+double partWithin(const std::vector<FlownFrame>& flown, std::size_t from)
+{
+    const auto good = std::count_if(flown.begin() + std::ptrdiff_t(from), flown.end(),
+                                    [](const auto& f) { return std::abs(f.expected / target - 1.0) <= 0.2; });
+    return double(good) / double(flown.size() - from);
+}
+
+TEST(FrameTime, ALoadThatFallsSteadilyIsFollowedAsWellAsOneThatRises)
+{
+    for (const double rate : {-0.03, -0.02, -0.01, 0.01, 0.02, 0.03}) {
+        Plant plant;
+        plant.finestSeconds = rate < 0.0 ? 1.0 : 0.1;
+        plant.noise = 0.03;
+        plant.load = [rate](int frame) { return std::exp(rate * std::max(0, frame - 40)); };
+        FrameTime controller(leversForTolerance(wanted));
+        const int frames = 40 + int(2.0 / std::abs(rate));
+        EXPECT_GE(partWithin(fly(plant, controller, frames), 20), 0.95) << rate;
+    }
+}
+
+TEST(FrameTime, WorkThatIsKnownBeforehandMakesAJumpNoSurprise)
+{
+    Plant plant;
+    plant.finestSeconds = 0.1;
+    plant.noise = 0.02;
+    plant.load = [](int frame) { return 1.0 + 2.0 * (frame / 50 % 2); };
+    FrameTime controller(leversForTolerance(wanted));
+    PlantClock clock(plant);
+    int far = 0;
+    for (int i = 0; i < 500; ++i) {
+        const double work = 1000.0 * plant.loadAt(i);
+        const FlownFrame frame = clock.next(controller.decide(work).levers);
+        controller.report(frame.levers, frame.measured, work);
+        far += i >= 20 && std::abs(frame.expected / target - 1.0) > 0.2;
+    }
+    EXPECT_EQ(far, 0) << "frames of 480, the first one after each jump included";
+}
+
 TEST(FrameTime, TimesThatAreNoNumbersChangeNothingAndAreCounted)
 {
     const double garbage[] = {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(),
@@ -77,8 +117,9 @@ TEST(FrameTime, TimesThatAreNoNumbersChangeNothingAndAreCounted)
     const FrameLevers before = controller.decision().levers;
     for (int i = 0; i < 50; ++i)
         for (const double seconds : garbage) {
-            EXPECT_EQ(controller.report(before, seconds).levers, before);
-            EXPECT_EQ(controller.report(before, target, seconds).levers, before);
+            controller.report(before, seconds);
+            controller.report(before, target, seconds);
+            EXPECT_EQ(controller.decide(seconds).levers, before);
         }
     EXPECT_EQ(controller.ignored(), 500u);
     const auto flown = fly(plant, controller, 50);
@@ -107,9 +148,10 @@ TEST(FrameTime, LeversStayWithinTheirClampsWhateverItIsTold)
         for (int i = 0; i < 400; ++i) {
             FrameLevers levers = controller.decision().levers;
             if (random() % 4 == 0)
-                levers = {any(), any(), any(), int(random())};
+                levers = {any(), any(), int(random())};
             const double seconds = random() % 3 == 0 ? any() : std::exp(std::normal_distribution(-3.0, 5.0)(random));
             controller.report(levers, seconds, random() % 8 == 0 ? any() : 1.0);
+            controller.decide(random() % 8 == 0 ? any() : 1.0);
             ASSERT_TRUE(withinClamps(controller)) << controller.decision().levers.tolerance;
             ASSERT_TRUE(std::isfinite(controller.decision().expectedSeconds));
         }
@@ -118,7 +160,7 @@ TEST(FrameTime, LeversStayWithinTheirClampsWhateverItIsTold)
 
 TEST(FrameTime, ForAGivenTimeTheLastLeverIsMovedLeast)
 {
-    FrameCost cost({{Lever::tolerance, wanted, 0.1}, {Lever::pyramidBias, 0.0, 2.0}, {Lever::imageScale, 8.0, 2.0}});
+    FrameCost cost({{Lever::tolerance, wanted, 0.1}, {Lever::dt, 0.5, 2.0}, {Lever::imageScale, 8.0, 2.0}});
     const double least = cost.logFactor(cost.coarsest());
     double lastTolerance = wanted;
     for (double factor = 0.0; factor > least; factor -= 0.01) {
@@ -128,7 +170,7 @@ TEST(FrameTime, ForAGivenTimeTheLastLeverIsMovedLeast)
             FrameLevers finer = cost.coarsest();
             finer.imageEighths = levers.imageEighths + 1;
             EXPECT_GT(cost.logFactor(finer), factor);
-        } else if (levers.pyramidBias > 0.0) {
+        } else if (levers.dt > 0.5) {
             EXPECT_NEAR(levers.tolerance, 0.1, 1e-9);
         } else {
             EXPECT_GE(levers.tolerance, lastTolerance);
@@ -162,10 +204,8 @@ TEST(FrameTime, AWindowThatIsResizedIsNoSurprise)
         return Plant{}.secondsAt(levers, 0) * pixels;
     };
     for (int i = 0; i < 30; ++i)
-        controller.report(controller.decision().levers, secondsOf(controller.decision().levers, 1.0), 1.0);
-    // The only frame that takes longer is the first one.
-    controller.report(controller.decision().levers, secondsOf(controller.decision().levers, 3.0), 3.0);
-    EXPECT_NEAR(secondsOf(controller.decision().levers, 3.0) / target, 1.0, 0.2);
+        controller.report(controller.decide(1.0).levers, secondsOf(controller.decision().levers, 1.0), 1.0);
+    EXPECT_NEAR(secondsOf(controller.decide(3.0).levers, 3.0) / target, 1.0, 0.2) << "the first frame already";
 }
 
 TEST(FrameTime, AnotherTargetIsHeldFromTheNextFrames)
@@ -196,7 +236,7 @@ TEST(FrameTime, RendersWithNoLeversAtAll)
 {
     FrameTime controller({});
     for (int i = 0; i < 20; ++i)
-        controller.report(controller.decision().levers, 0.5);
+        controller.report(controller.decide().levers, 0.5);
     EXPECT_EQ(controller.decision().number, 0u);
     EXPECT_TRUE(controller.decision().unreachable);
 }
