@@ -21,8 +21,7 @@ struct ChartPlan
 {
     std::vector<View> views; ///< with different names
     std::vector<ChartPoint> points;
-    Shading shading = Shading::headlight;
-    LodConfig lod; ///< of all methods but the reference
+    RenderSettings look; ///< of all points, but for the method and its parameter; lod not of the reference
     int repetitions = 5;
     double slowMilliseconds = 0.0; ///< what takes longer than this per frame is measured once
 };
@@ -38,6 +37,7 @@ struct ChartRow
     double similarity = 1.0; ///< SSIM of the pictures
     double samplesPerRay = 0.0, fetchesPerRay = 0.0, regionsPerRay = 0.0;
     double largestBound = 0.0; ///< of bounded
+    double allowedError = 0.0; ///< of bounded: its tolerance, and that of a light
     std::uint64_t pixelsBeyond = 0;
 };
 
@@ -53,12 +53,13 @@ struct Chart
 /// "1/255", "3e-4", "0.5": the parameter as it is written beside its point; empty for the reference.
 std::string parameterLabel(const ChartPoint& point);
 
-/// Whether the bounded method made a larger error than it was asked for.
+/// Whether the bounded method made a larger error than it was allowed.
 bool isBeyondTolerance(const ChartRow& row);
 
 /// The settings of a point. The opacity at which stepping ends a ray is that of `render` at dt = 0.5 and above; below,
 /// what is left of the ray shrinks with dt^2, as the midpoint rule's error does, so that a chart shows the error of the
-/// steps and not of the early end.
+/// steps and not of the early end. The reference has a light to 1/4096 and ambient occlusion by 1024 rays, whatever the
+/// others have.
 RenderSettings settingsOf(const ChartPoint& point, const ChartPlan& plan);
 
 /// Renders the reference once per view, then all points in turn, again and again, so that a drift of the machine hits

@@ -3,9 +3,9 @@
 #include "Commands.h"
 #include "Folder.h"
 #include "RenderViews.h"
-#include "Statistics.h"
 #include "TerminalProgress.h"
 
+#include "brickwall/core/base/Median.h"
 #include "brickwall/core/render/Similarity.h"
 #include "brickwall/core/scene/SceneArguments.h"
 
@@ -116,8 +116,7 @@ int drawChart(const Options& options)
     chart.plan.points = pointsOf(options);
     chart.plan.repetitions = options.repeat;
     chart.plan.slowMilliseconds = 1e3 * options.slowSeconds;
-    chart.plan.shading = renderSettings(options.scene).shading;
-    chart.plan.lod = renderSettings(options.scene).lod;
+    chart.plan.look = renderSettings(options.scene);
     const ViewsForBounds viewsForBounds = chartViews(options.views);
     makeOutputFolder(options.out);
 

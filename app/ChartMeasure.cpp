@@ -49,7 +49,7 @@ TimedFrame renderTimed(const Renderer& renderer, const View& view, const RenderS
     return {std::move(frames.front()), milliseconds, statistics.front()};
 }
 
-ChartRow rowOf(const ChartPoint& point, const TimedFrame& timed, const Frame& reference)
+ChartRow rowOf(const ChartPoint& point, const RenderSettings& look, const TimedFrame& timed, const Frame& reference)
 {
     const FrameDifference difference = compareFrames(timed.frame, reference);
     const auto perRay = [&](std::uint64_t count) { return double(count) / double(timed.statistics.rays); };
@@ -63,6 +63,7 @@ ChartRow rowOf(const ChartPoint& point, const TimedFrame& timed, const Frame& re
     row.fetchesPerRay = perRay(timed.statistics.counts.fetches);
     row.regionsPerRay = perRay(timed.statistics.counts.regionsVisited);
     row.largestBound = timed.statistics.largestBound;
+    row.allowedError = point.parameter + (look.light ? look.light->tolerance : 0.0);
     row.pixelsBeyond = timed.statistics.pixelsBeyond;
     return row;
 }
@@ -101,15 +102,19 @@ std::string parameterLabel(const ChartPoint& point)
 
 bool isBeyondTolerance(const ChartRow& row)
 {
-    return row.point.method == Method::bounded && !(row.maxError <= row.point.parameter);
+    return row.point.method == Method::bounded && !(row.maxError <= row.allowedError);
 }
 
 RenderSettings settingsOf(const ChartPoint& point, const ChartPlan& plan)
 {
-    RenderSettings settings;
+    RenderSettings settings = plan.look;
     settings.method = point.method;
-    settings.shading = plan.shading;
-    settings.lod = plan.lod;
+    if (point.method == Method::reference) {
+        if (settings.light)
+            settings.light->tolerance = std::min(settings.light->tolerance, 1.0f / 4096.0f);
+        if (settings.ambientOcclusion)
+            settings.ambientOcclusion->rays = 1024;
+    }
     if (point.method == Method::bounded)
         settings.bounded.tolerance = static_cast<float>(point.parameter);
     if (takesSteps(point.method)) {
@@ -129,7 +134,7 @@ std::vector<ChartRow> measureChart(const Renderer& renderer, const ChartPlan& pl
     for (const View& view : plan.views) {
         const ChartPoint point{Method::reference, 0.0};
         TimedFrame timed = renderTimed(renderer, view, settingsOf(point, plan), progress);
-        referenceRows.push_back(rowOf(point, timed, timed.frame));
+        referenceRows.push_back(rowOf(point, plan.look, timed, timed.frame));
         referenceRows.back().milliseconds.push_back(timed.milliseconds);
         references.push_back(std::move(timed.frame));
         progress.advance(1);
@@ -148,7 +153,7 @@ std::vector<ChartRow> measureChart(const Renderer& renderer, const ChartPlan& pl
                 const ChartPoint& point = plan.points[i];
                 const TimedFrame timed = renderTimed(renderer, plan.views[v], settingsOf(point, plan), progress);
                 if (repetition == 0) // the same bits every time
-                    row = rowOf(point, timed, references[v]);
+                    row = rowOf(point, plan.look, timed, references[v]);
                 row.milliseconds.push_back(timed.milliseconds);
             }
     progress.end();

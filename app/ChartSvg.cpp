@@ -2,8 +2,8 @@
 /// The picture of a chart: a row of three panels per view, time upwards against maximum error, RMS error and 1 - SSIM.
 #include "Chart.h"
 #include "PlotAxes.h"
-#include "Statistics.h"
 
+#include "brickwall/core/base/Median.h"
 #include "brickwall/core/base/WholeFile.h"
 
 #include <fmt/format.h>

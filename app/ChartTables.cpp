@@ -1,7 +1,8 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "Chart.h"
-#include "Statistics.h"
+#include "LightJson.h"
 
+#include "brickwall/core/base/Median.h"
 #include "brickwall/core/base/WholeFile.h"
 
 #include <fmt/format.h>
@@ -90,28 +91,29 @@ void writeChartJson(const std::string& path, const Chart& chart, const PreparedS
     for (const IsoSurface& surface : prepared.scene.surfaces)
         surfaces.push_back({{"value", surface.value}, {"opacity", surface.opacity}});
     const TransferFunction& tf = prepared.scene.transferFunction;
-    const json root = {{"brickwall", BRICKWALL_VERSION},
-                       {"data", chart.data},
-                       {"field", prepared.field},
-                       {"cells", prepared.cells},
-                       {"bricks", prepared.scene.regions->bricks.size()},
-                       {"regions", prepared.scene.regions->regions.size()},
-                       {"machine",
-                        {{"processor", processorName()},
-                         {"cores", std::thread::hardware_concurrency()},
-                         {"threads", chart.threads},
-                         {"target", Renderer::target()},
-                         {"lanes", Renderer::lanes()}}},
-                       {"transfer_function",
-                        {{"range", {tf.range.lo, tf.range.hi}},
-                         {"scale", tf.scale == Scale::linear ? "linear" : "log"},
-                         {"opacity_scale", tf.opacityScale}}},
-                       {"surfaces", surfaces},
-                       {"lod", chart.plan.lod.cellPixels},
-                       {"shading", chart.plan.shading == Shading::off ? "off" : "headlight"},
-                       {"repeat", chart.plan.repetitions},
-                       {"slow_seconds", chart.plan.slowMilliseconds / 1e3},
-                       {"views", viewsJson(chart)}};
+    json root = {{"brickwall", BRICKWALL_VERSION},
+                 {"data", chart.data},
+                 {"field", prepared.field},
+                 {"cells", prepared.cells},
+                 {"bricks", prepared.scene.regions->bricks.size()},
+                 {"regions", prepared.scene.regions->regions.size()},
+                 {"machine",
+                  {{"processor", processorName()},
+                   {"cores", std::thread::hardware_concurrency()},
+                   {"threads", chart.threads},
+                   {"target", Renderer::target()},
+                   {"lanes", Renderer::lanes()}}},
+                 {"transfer_function",
+                  {{"range", {tf.range.lo, tf.range.hi}},
+                   {"scale", tf.scale == Scale::linear ? "linear" : "log"},
+                   {"opacity_scale", tf.opacityScale}}},
+                 {"surfaces", surfaces},
+                 {"lod", chart.plan.look.lod.cellPixels},
+                 {"shading", chart.plan.look.shading == Shading::off ? "off" : "headlight"},
+                 {"repeat", chart.plan.repetitions},
+                 {"slow_seconds", chart.plan.slowMilliseconds / 1e3},
+                 {"views", viewsJson(chart)}};
+    root.update(lightJson(chart.plan.look));
     writeWholeFile(path, root.dump(2, ' ', false, json::error_handler_t::replace) + '\n');
 }
 

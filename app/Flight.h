@@ -56,7 +56,7 @@ struct FlightFrame
 
 struct FlightOptions
 {
-    double fps = 20.0;
+    double fps = usualFps;
     PixelSize size;
     bool processorTime = false; ///< times are those of the process's one thread, for machines that others use as well
     int measureEvery = 5;       ///< frames whose error is measured, beside the flight's time; 0: none

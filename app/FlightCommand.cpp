@@ -4,6 +4,7 @@
 #include "Folder.h"
 #include "TerminalProgress.h"
 
+#include "brickwall/channels/FrameTime.h"
 #include "brickwall/channels/LeveredViews.h"
 #include "brickwall/core/base/Error.h"
 #include "brickwall/core/scene/SceneArguments.h"
@@ -78,8 +79,11 @@ void addFlightCommand(CLI::App& app, Action& chosen)
     addDataOption(*command, options->scene);
     command->add_option("--flight", options->file, "the key poses with their times, a JSON file")->required();
     command->add_option("--out", options->out, "the folder for the files")->required();
-    command->add_option("--fps", options->flight.fps, "frames per second to be held, 5 to 60 (default 20)")
-        ->check(CLI::Range(5.0, 60.0));
+    command
+        ->add_option(
+            "--fps", options->flight.fps,
+            fmt::format("frames per second to be held, {:g} to {:g} (default {:g})", lowestFps, highestFps, usualFps))
+        ->check(CLI::Range(lowestFps, highestFps));
     command->add_option("--size", options->size, "WxH (default 640x480)");
     command
         ->add_option("--measure", options->flight.measureEvery,

@@ -1,5 +1,6 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "Flight.h"
+#include "JsonNode.h"
 
 #include "brickwall/core/base/Error.h"
 #include "brickwall/core/base/WholeFile.h"
@@ -17,40 +18,31 @@ namespace {
 
 using nlohmann::json;
 
-double numberOf(const json& object, const char* key, const std::string& place)
+double numberOf(const JsonNode& node, const char* key)
 {
-    if (!object.contains(key) || !object.at(key).is_number())
-        throw Error(place, fmt::format("expected a number \"{}\"", key));
-    return object.at(key).get<double>();
+    if (!node.has(key) || !node.at(key).is_number())
+        throw Error(node.place(), fmt::format("expected a number \"{}\"", key));
+    return node.at(key).get<double>();
 }
 
-vec3d vectorOf(const json& object, const char* key, const std::string& place)
+vec3d vectorOf(const JsonNode& node, const char* key)
 {
-    const json value = object.value(key, json());
+    const json value = node.has(key) ? node.at(key) : json();
     if (!value.is_array() || value.size() != 3 ||
         !std::all_of(value.begin(), value.end(), [](const json& n) { return n.is_number(); }))
-        throw Error(place, fmt::format("expected three numbers \"{}\"", key));
+        throw Error(node.place(), fmt::format("expected three numbers \"{}\"", key));
     return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
-}
-
-void checkKeys(const json& object, const std::vector<std::string>& known, const std::string& place)
-{
-    if (!object.is_object())
-        throw Error(place, fmt::format("expected an object, found {}", object.type_name()));
-    for (const auto& [key, unused] : object.items())
-        if (std::find(known.begin(), known.end(), key) == known.end())
-            throw Error(place, fmt::format("unknown key \"{}\"; known: {}", key, fmt::join(known, ", ")));
 }
 
 FlightKey keyOf(const json& object, const std::string& place)
 {
-    checkKeys(object, {"time", "eye", "at", "up"}, place);
+    const JsonNode node(object, place, {"time", "eye", "at", "up"});
     FlightKey key;
-    key.time = numberOf(object, "time", place);
-    key.eye = vectorOf(object, "eye", place);
-    key.at = vectorOf(object, "at", place);
-    if (object.contains("up"))
-        key.up = vectorOf(object, "up", place);
+    key.time = numberOf(node, "time");
+    key.eye = vectorOf(node, "eye");
+    key.at = vectorOf(node, "at");
+    if (node.has("up"))
+        key.up = vectorOf(node, "up");
     return key;
 }
 
@@ -112,10 +104,10 @@ Flight readFlight(const std::string& path, const Box3d& bounds)
     } catch (const json::exception& error) {
         throw Error(path, fmt::format("is no JSON: {}", error.what()));
     }
-    checkKeys(file, {"units", "fov", "keys"}, path);
+    const JsonNode node(file, path, {"units", "fov", "keys"});
     Flight flight;
-    if (file.contains("fov"))
-        flight.fov = numberOf(file, "fov", path);
+    if (node.has("fov"))
+        flight.fov = numberOf(node, "fov");
     if (!(flight.fov > 0.0 && flight.fov < 180.0))
         throw Error(path, fmt::format("expected a \"fov\" between 0 and 180 degrees, found {:g}", flight.fov));
     const json units = file.value("units", json("world"));

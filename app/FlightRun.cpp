@@ -2,7 +2,9 @@
 #include "EarlierPluginRule.h"
 #include "Flight.h"
 
+#include "brickwall/channels/FrameWork.h"
 #include "brickwall/channels/LeveredViews.h"
+#include "brickwall/core/base/Median.h"
 #include "brickwall/core/render/Compare.h"
 
 #include <algorithm>
@@ -48,12 +50,28 @@ public:
     {
     }
 
+    /// What the controller needs to know about the frame is a part of its time.
+    FlightFrame render(const View& view, FrameTime& controller)
+    {
+        const double start = now(), work = workOf(renderer_, {&view, 1}, silent_);
+        const FrameLevers levers = controller.decide(work).levers;
+        FlightFrame flown = render(view, withLevers(wanted_, levers), levers, start);
+        controller.report(levers, flown.renderSeconds, work);
+        flown.unreachable = controller.decision().unreachable;
+        return flown;
+    }
+
     FlightFrame render(const View& view, const RenderSettings& settings, const FrameLevers& levers)
+    {
+        return render(view, settings, levers, now());
+    }
+
+private:
+    FlightFrame render(const View& view, const RenderSettings& settings, const FrameLevers& levers, double start)
     {
         FlightFrame flown;
         flown.levers = levers;
         std::vector<ViewStatistics> statistics;
-        const double start = now();
         const View scaled = scaledView(view, levers.imageEighths);
         const std::vector<Frame> frames = renderer_.render({&scaled, 1}, settings, silent_, &statistics);
         flown.renderSeconds = now() - start;
@@ -63,7 +81,6 @@ public:
         return flown;
     }
 
-private:
     double now() const
     {
         if (options_.processorTime)
@@ -98,12 +115,8 @@ std::vector<FlightFrame> fly(const Renderer& renderer, const RenderSettings& set
     for (double time = 0.0; time < flight.seconds();
          time += std::max(flown.back().renderSeconds, config.targetSeconds)) {
         progress.check();
-        const View view = viewAt(flight, time, bounds, options.size);
-        const FrameLevers levers = controller.decision().levers;
-        flown.push_back(frames.render(view, withLevers(settings, levers), levers));
+        flown.push_back(frames.render(viewAt(flight, time, bounds, options.size), controller));
         flown.back().time = time;
-        controller.report(levers, flown.back().renderSeconds, pixelsOf({&view, 1}));
-        flown.back().unreachable = controller.decision().unreachable;
     }
     return flown;
 }
@@ -148,10 +161,7 @@ FlightShares sharesOf(const std::vector<FlightFrame>& frames, double targetSecon
     }
     for (double* share : {&shares.within, &shares.longer, &shares.shorterAtFinest})
         *share /= std::max(count, 1);
-    if (!errors.empty()) {
-        std::nth_element(errors.begin(), errors.begin() + std::ptrdiff_t(errors.size() / 2), errors.end());
-        shares.medianRmsError = errors[errors.size() / 2];
-    }
+    shares.medianRmsError = median(errors);
     return shares;
 }
 

@@ -7,11 +7,12 @@
 #include "TerminalProgress.h"
 
 #include "brickwall/core/base/Stopwatch.h"
+#include "brickwall/core/render/Accumulation.h"
 #include "brickwall/core/render/ImageFiles.h"
 #include "brickwall/core/render/Legend.h"
 #include "brickwall/core/scene/SceneArguments.h"
 #include "brickwall/core/scene/SceneSetup.h"
-#include "brickwall/core/scene/StreamlineOptions.h"
+#include "brickwall/core/shade/TransferFunctionFile.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -28,14 +29,15 @@ namespace {
 struct Options
 {
     SceneOptions scene;
-    StreamlineOptions streamlines;
     ViewOptions views;
     std::string out;
     std::vector<std::string> formats{"png"};
     bool legend = false;
     std::string show; ///< one of showNames, or empty
+    int samplesPerPixel = 1;
     int repeat = 1;
     std::string stats;
+    std::string writeTf;
 };
 
 /// Names of channels and views may hold anything; those of files may not.
@@ -75,6 +77,13 @@ void checkOutputs(const Options& options)
                     fmt::format("{} cannot be written: there is no folder {}", options.stats, folder.string()));
 }
 
+/// The colours over the values that they are of.
+TransferFunction legendOf(const PreparedScene& prepared)
+{
+    const TransferFunction& tf = prepared.scene.transferFunction;
+    return tf.colorField ? colorFunction(tf) : tf;
+}
+
 void writeFrame(const Frame& frame, const Options& options, const PreparedScene& prepared, const vec3f& background,
                 const std::string& stem)
 {
@@ -85,7 +94,7 @@ void writeFrame(const Frame& frame, const Options& options, const PreparedScene&
         }
         Image image = imageOver(frame, background);
         if (options.legend)
-            drawLegend(image, prepared.scene.transferFunction, prepared.field, prepared.unit);
+            drawLegend(image, legendOf(prepared), prepared.colorField, prepared.colorUnit);
         writePng(image, stem + ".png");
     }
 }
@@ -111,14 +120,51 @@ void writeShown(const Renderer& renderer, const View& view, const Options& optio
     fmt::print("{}: {} up to {:.4g}, {:.4g} on average\n", view.name, shown.title, shown.scale.range.hi, shown.mean);
 }
 
+void add(const ViewStatistics& more, ViewStatistics& sum)
+{
+    sum.milliseconds += more.milliseconds;
+    sum.rays += more.rays;
+    sum.counts += more.counts;
+    sum.surfaceHits += more.surfaceHits;
+    sum.pixelsBeyond = std::max(sum.pixelsBeyond, more.pixelsBeyond);
+    if (more.largestBound > sum.largestBound)
+        sum.largestBound = more.largestBound;
+    if (sum.beyondBecause.empty())
+        sum.beyondBecause = more.beyondBecause;
+    sum.memberSamples.resize(std::max(sum.memberSamples.size(), more.memberSamples.size()));
+    for (std::size_t level = 0; level < more.memberSamples.size(); ++level)
+        sum.memberSamples[level] += more.memberSamples[level];
+}
+
+/// The mean of as many frames as there are samples per pixel.
+std::vector<Frame> renderSamples(const Renderer& renderer, const std::vector<View>& views, const Options& options,
+                                 Progress& progress, std::vector<ViewStatistics>& statistics)
+{
+    const RenderSettings settings = renderSettings(options.scene);
+    std::vector<Frame> means = renderer.render(views, settings, progress, &statistics);
+    if (options.samplesPerPixel == 1)
+        return means;
+    Accumulation accumulation;
+    accumulation.next(views);
+    accumulation.add(std::move(means));
+    while (accumulation.count() < options.samplesPerPixel) {
+        std::vector<ViewStatistics> more;
+        means = accumulation.add(renderer.render(accumulation.next(views), settings, progress, &more));
+        for (std::size_t i = 0; i < more.size(); ++i)
+            add(more[i], statistics[i]);
+    }
+    return means;
+}
+
 int render(const Options& options)
 {
     const ViewsForBounds viewsForBounds = readViews(options.views);
     checkOutputs(options);
     TerminalProgress progress;
     const Executor executor(options.scene.threads);
-    auto tubes = streamlineTubes(options.scene, options.streamlines, executor, progress);
-    const PreparedScene prepared = prepareScene(options.scene, executor, progress, std::move(tubes));
+    const PreparedScene prepared = prepareScene(options.scene, executor, progress);
+    if (!options.writeTf.empty())
+        writeTransferFunction(prepared.transferFunction, options.writeTf);
     const ViewsToRender toRender = viewsForBounds(prepared.bounds, progress);
     const std::vector<std::string> stems = fileNames(toRender.views);
     const RenderSettings settings = renderSettings(options.scene);
@@ -130,7 +176,7 @@ int render(const Options& options)
     for (int i = 0; i < options.repeat; ++i) {
         const Stopwatch stopwatch;
         std::vector<ViewStatistics> views;
-        frames = renderer.render(toRender.views, settings, progress, &views);
+        frames = renderSamples(renderer, toRender.views, options, progress, views);
         statistics.totalMilliseconds.push_back(stopwatch.milliseconds());
         statistics.repetitions.push_back(std::move(views));
     }
@@ -161,7 +207,6 @@ void addRenderCommand(CLI::App& app, Action& chosen)
     command->add_option("--out", options->out, "the folder for the pictures, named after channel and eye")->required();
     addViewOptions(*command, options->views, "WxH of every view (default 1024x1024, or the rig's)");
     addSceneOptions(*command, options->scene);
-    addStreamlineOptions(*command, options->streamlines);
     addBackgroundOption(*command, options->scene);
     addMethodOptions(*command, options->scene);
     command->add_option("--format", options->formats, "png, exr or both: png,exr (default png)")
@@ -173,11 +218,16 @@ void addRenderCommand(CLI::App& app, Action& chosen)
             "--show", options->show,
             "instead of the colours, per pixel: cost (samples), regions, levels (the finest) or error (of bounded)")
         ->check(CLI::IsMember(std::vector<std::string>(showNames.begin(), showNames.end())));
+    command
+        ->add_option("--samples-per-pixel", options->samplesPerPixel,
+                     "average N frames of other points of the pixels, so that edges are smooth (default 1: centres)")
+        ->check(CLI::Range(1, 65536))
+        ->excludes("--show");
     command->add_option("--repeat", options->repeat, "render N times, for --stats")->check(CLI::Range(1, 100000));
     command->add_option("--stats", options->stats, "write times, samples and bounds to this JSON file");
+    addWriteTfOption(*command, options->writeTf);
     command->callback([options, &chosen] {
         checkSceneOptions(options->scene, commandLinePlace);
-        checkStreamlineOptions(options->streamlines, commandLinePlace);
         chosen = [options] { return render(*options); };
     });
 }

@@ -3,6 +3,7 @@
 #include "TerminalProgress.h"
 
 #include "brickwall/core/io/DataSet.h"
+#include "brickwall/core/model/PadField.h"
 #include "brickwall/core/scene/SceneArguments.h"
 #include "brickwall/core/scene/SceneSetup.h"
 #include "brickwall/core/trace/SamplePoints.h"
@@ -14,6 +15,7 @@
 #include <charconv>
 #include <cstring>
 #include <fstream>
+#include <utility>
 
 namespace brickwall {
 namespace {
@@ -66,10 +68,10 @@ int samplePointsOf(const SceneOptions& options, const std::string& pointsFile)
     TerminalProgress progress;
     const Executor executor(options.threads);
     const auto data = openData(options);
-    const Model model = data->load(std::vector{options.field.empty() ? data->defaultField() : options.field}, executor,
-                                   progress, nonFiniteOf(options));
+    Model model = data->load(std::vector{options.field.empty() ? data->defaultField() : options.field}, executor,
+                             progress, nonFiniteOf(options));
     const RegionTree regions = buildRegions(model.bricks, executor, progress);
-    const PaddedField field = padField(model.fields.front(), model.bricks, regions, executor, progress);
+    const PaddedField field = padField(std::move(model.fields.front()), model.bricks, regions, executor, progress);
     progress.end();
 
     std::vector<PointSample> samples(points.size());

@@ -120,13 +120,6 @@ float topOf(Numbers numbers)
     return *top;
 }
 
-Frame frameOf(const View& view)
-{
-    Frame frame{view, view.window.width, view.window.height, {}, {}};
-    frame.depth.assign(std::size_t(frame.width) * frame.height, 1.0f);
-    return frame;
-}
-
 } // namespace
 
 ShownView showView(const Renderer& renderer, const View& view, const RenderSettings& settings, Show what,
@@ -139,14 +132,14 @@ ShownView showView(const Renderer& renderer, const View& view, const RenderSetti
     const Numbers numbers = numbersOf(renderer, view, settings, what, executor, progress);
     progress.end();
 
-    ShownView shown{frameOf(view), frameOf(view), {}, titles.at(std::size_t(what)), 0.0};
+    ShownView shown{emptyFrame(view), emptyFrame(view), {}, titles.at(std::size_t(what)), 0.0};
     const float least = what == Show::levels ? -1.0f : 0.0f, largest = topOf(numbers);
     shown.scale.range = {least, std::max(largest, least + (what == Show::error ? 1e-6f : 1.0f))};
     shown.scale.colors = colorMap("Inferno");
     shown.scale.opacity = {{0.0f, 1.0f}};
-    for (const float number : numbers) {
-        shown.numbers.color.emplace_back(vec3f(number), 1.0f);
-        shown.colors.color.emplace_back(vec3f(colorAt(shown.scale, number)), 1.0f);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        shown.numbers.color[i] = vec4f(vec3f(numbers[i]), 1.0f);
+        shown.colors.color[i] = vec4f(vec3f(colorAt(shown.scale, numbers[i])), 1.0f);
     }
     shown.mean = std::accumulate(numbers.begin(), numbers.end(), 0.0) / double(numbers.size());
     return shown;

@@ -1,7 +1,10 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "Statistics.h"
+
+#include "LightJson.h"
 #include "PeakMemory.h"
 
+#include "brickwall/core/base/Median.h"
 #include "brickwall/core/base/WholeFile.h"
 
 #include <fmt/format.h>
@@ -51,10 +54,7 @@ json methodJson(const RenderSettings& settings)
         method["dt"] = settings.step.dt;
     if (settings.method != Method::reference)
         method["lod"] = settings.lod.cellPixels;
-    if (const auto& light = settings.light)
-        method["light"] = {{"towards", {light->towards.x, light->towards.y, light->towards.z}},
-                           {"ambient", light->ambient},
-                           {"tolerance", light->tolerance}};
+    method.update(lightJson(settings));
     return method;
 }
 
@@ -62,8 +62,16 @@ json surfacesJson(const std::vector<IsoSurface>& surfaces)
 {
     json values = json::array();
     for (const IsoSurface& surface : surfaces)
-        values.push_back({{"value", surface.value}, {"opacity", surface.opacity}});
+        values.push_back(
+            {{"value", surface.value}, {"opacity", surface.opacity}, {"colored_by_field", surface.coloredByField}});
     return values;
+}
+
+/// What colours are of, and over which of its values.
+json colorsJson(const TransferFunction& tf, const PreparedScene& prepared)
+{
+    const Range& range = tf.colorField ? tf.colorField->range : tf.range;
+    return {{"field", prepared.colorField}, {"range", {range.lo, range.hi}}};
 }
 
 json pyramidJson(const Scene& scene)
@@ -94,13 +102,6 @@ ViewStatistics sumOf(const std::vector<ViewStatistics>& views)
 
 } // namespace
 
-double median(std::vector<double> values)
-{
-    std::sort(values.begin(), values.end());
-    const std::size_t n = values.size();
-    return n == 0 ? 0.0 : 0.5 * (values[(n - 1) / 2] + values[n / 2]);
-}
-
 void writeStatistics(const std::string& path, const RenderStatistics& statistics, const std::string& data,
                      const RenderSettings& settings, const PreparedScene& prepared, const std::vector<Frame>& frames,
                      int threads)
@@ -110,6 +111,7 @@ void writeStatistics(const std::string& path, const RenderStatistics& statistics
         views.push_back(viewJson(statistics, settings, frames[i], i));
     const json root = {{"data", data},
                        {"field", prepared.field},
+                       {"colors", colorsJson(prepared.scene.transferFunction, prepared)},
                        {"cells", prepared.cells},
                        {"bricks", prepared.scene.regions->bricks.size()},
                        {"regions", prepared.scene.regions->regions.size()},

@@ -15,8 +15,6 @@ struct RenderStatistics
     std::vector<std::vector<ViewStatistics>> repetitions; ///< [repetition][view]
 };
 
-double median(std::vector<double> values);
-
 /// The JSON of `--stats` (docs/command.md describes its keys). Written to a temporary name and renamed when whole.
 void writeStatistics(const std::string& path, const RenderStatistics& statistics, const std::string& data,
                      const RenderSettings& settings, const PreparedScene& prepared, const std::vector<Frame>& frames,

@@ -4,10 +4,12 @@
 #include "RenderViews.h"
 #include "TerminalProgress.h"
 
+#include "brickwall/channels/FrameTime.h"
 #include "brickwall/channels/RigFiles.h"
 #include "brickwall/core/base/Error.h"
 #include "brickwall/core/scene/SceneArguments.h"
 #include "brickwall/core/scene/SceneSetup.h"
+#include "brickwall/core/shade/TransferFunctionFile.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -33,18 +35,20 @@ struct Options
     int frames = 0;
     std::string screenshots;
     bool preview = false;
-    std::string fps = "20";
+    std::optional<double> fps = usualFps; ///< none: off
     std::string flight;
+    std::string writeTf;
 };
 
-/// "off", or a number from 5 to 60.
+/// "off", or a number within the limits.
 std::optional<double> fpsOf(const std::string& text)
 {
     if (text == "off")
         return std::nullopt;
     const double fps = parseNumber(text, "--fps");
-    if (!(fps >= 5.0 && fps <= 60.0))
-        throw Error("--fps", fmt::format("expected 5 to 60 frames per second, or off, found {}", text));
+    if (!(fps >= lowestFps && fps <= highestFps))
+        throw Error("--fps", fmt::format("expected {:g} to {:g} frames per second, or off, found {}", lowestFps,
+                                         highestFps, text));
     return fps;
 }
 
@@ -76,12 +80,14 @@ int view(const Options& options)
 
     const Executor executor(options.scene.threads);
     const PreparedScene prepared = prepareScene(options.scene, executor, progress);
+    if (!options.writeTf.empty())
+        writeTransferFunction(prepared.transferFunction, options.writeTf);
     ViewerOptions viewer;
     viewer.frames = options.frames;
     viewer.screenshotFolder = options.screenshots;
     viewer.renderThreads = options.scene.threads;
     viewer.preview = options.preview;
-    viewer.fps = fpsOf(options.fps);
+    viewer.fps = options.fps;
     if (!options.flight.empty())
         viewer.flight = flightOf(readFlight(options.flight, prepared.bounds), rig, prepared.bounds);
     viewScene(prepared.scene, rig, renderSettings(options.scene), viewer, progress);
@@ -108,19 +114,22 @@ void addViewCommand(CLI::App& app, Action& chosen)
     addMethodOptions(*command, options->scene);
     command->add_flag("--preview", options->preview,
                       "one window that shows the rig from outside: its screens, what they show, heads and frusta");
-    command->add_option(
-        "--fps", options->fps,
-        "frames per second to be held while something moves, 5 to 60, or off (default 20): what moves is "
-        "rendered less accurately, what rests as --tolerance or --dt say");
+    command->add_option_function<std::string>(
+        "--fps", [options](const std::string& text) { options->fps = fpsOf(text); },
+        fmt::format("frames per second to be held while something moves, {:g} to {:g}, or off (default {:g}): what "
+                    "moves is rendered less accurately, what rests as --tolerance or --dt say",
+                    lowestFps, highestFps, usualFps));
     command->add_option("--flight", options->flight,
                         "fly through the data: a JSON file of key poses with their times (docs/frame-time.md)");
-    command->add_option("--frames", options->frames, "draw N complete frames and end (default 0: until Escape)")
+    command
+        ->add_option("--frames", options->frames,
+                     "draw N complete frames, after the flight if there is one, and end (default 0: until Escape)")
         ->check(CLI::Range(0, 1000000));
     command->add_option("--screenshots", options->screenshots,
                         "with --frames: write a PNG of every window into this folder");
+    addWriteTfOption(*command, options->writeTf);
     command->callback([options, &chosen] {
         checkSceneOptions(options->scene, commandLinePlace);
-        fpsOf(options->fps);
         chosen = [options] { return view(*options); };
     });
 }

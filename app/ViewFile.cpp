@@ -1,6 +1,8 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "ViewFile.h"
 
+#include "JsonNode.h"
+
 #include "brickwall/core/base/WholeFile.h"
 #include "brickwall/core/render/Compare.h"
 #include "brickwall/core/render/ImageFiles.h"
@@ -17,57 +19,9 @@ namespace brickwall {
 namespace {
 
 using nlohmann::json;
+using Node = JsonNode;
 
 constexpr int largestSize = 32768;
-
-/// An object of the file with its place, so that every message says where it is.
-class Node
-{
-public:
-    Node(const json& value, std::string place, std::initializer_list<const char*> keys)
-        : value_(value), place_(std::move(place))
-    {
-        if (!value.is_object())
-            throw Error(place_, fmt::format("expected an object, found {}", value.type_name()));
-        const std::set<std::string> known(keys.begin(), keys.end());
-        for (const auto& [key, unused] : value.items())
-            if (!known.contains(key))
-                throw Error(place_, fmt::format("unknown key \"{}\"; known: {}", key, fmt::join(known, ", ")));
-    }
-
-    const std::string& place() const { return place_; }
-    bool has(const char* key) const { return value_.contains(key); }
-    const json& at(const char* key) const
-    {
-        if (!has(key))
-            throw Error(place_, fmt::format("\"{}\" is missing", key));
-        return value_.at(key);
-    }
-    template <class T>
-    T get(const char* key) const
-    {
-        try {
-            return at(key).get<T>();
-        } catch (const json::exception&) {
-            throw Error(place_, fmt::format("\"{}\" has the wrong type, found {}", key, at(key).dump()));
-        }
-    }
-    template <class T>
-    void maybe(const char* key, T& target) const
-    {
-        if (has(key))
-            target = get<T>(key);
-    }
-    void maybe(const char* key, std::optional<double>& target) const
-    {
-        if (has(key))
-            target = get<double>(key);
-    }
-
-private:
-    const json& value_;
-    std::string place_;
-};
 
 mat4d matrixOf(const Node& node, const char* key)
 {
@@ -194,6 +148,8 @@ SceneOptions sceneOf(const Node& node, const std::filesystem::path& folder)
         scene.transferFunction = (folder / node.get<std::string>("tf")).string();
     node.maybe("colormap", scene.colorMap);
     node.maybe("range", scene.range);
+    node.maybe("color_field", scene.colorField);
+    node.maybe("color_range", scene.colorRange);
     node.maybe("opacity_scale", scene.opacityScale);
     node.maybe("shading", scene.shading);
     node.maybe("volume", scene.volume);
@@ -208,8 +164,16 @@ SceneOptions sceneOf(const Node& node, const std::filesystem::path& folder)
     maybeNumbers(node, "mesh_color", scene.meshColor);
     maybeNumbers(node, "light", scene.light);
     node.maybe("ambient", scene.ambient);
+    node.maybe("specular", scene.specular);
+    node.maybe("shininess", scene.shininess);
+    node.maybe("ambient_occlusion", scene.ambientOcclusion);
+    node.maybe("ambient_occlusion_rays", scene.ambientOcclusionRays);
     maybeNumbers(node, "plane", scene.planes);
     node.maybe("plane_opacity", scene.planeOpacity);
+    maybeTexts(node, "streamlines", scene.streamlines);
+    node.maybe("streamline_vector", scene.streamlineVector);
+    node.maybe("streamline_length", scene.streamlineLength);
+    node.maybe("streamline_radius", scene.streamlineRadius);
     maybeNumbers(node, "clip_plane", scene.clipPlanes);
     maybeNumbers(node, "clip_box", scene.clipBox);
     maybeNumbers(node, "clip_sphere", scene.clipSphere);
@@ -242,13 +206,47 @@ ViewFile readViewFile(const std::string& path)
 {
     const json root = parse(path);
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    const Node node(
-        root, path,
-        {"data",          "derive",      "field",      "non_finite",  "tf",        "colormap",        "range",
-         "opacity_scale", "shading",     "volume",     "iso",         "iso_color", "iso_opacity",     "mesh",
-         "mesh_scale",    "mesh_offset", "mesh_color", "light",       "ambient",   "light_tolerance", "plane",
-         "plane_opacity", "clip_plane",  "clip_box",   "clip_sphere", "method",    "tolerance",       "dt",
-         "lod",           "views"});
+    const Node node(root, path,
+                    {"data",
+                     "derive",
+                     "field",
+                     "non_finite",
+                     "tf",
+                     "color_field",
+                     "color_range",
+                     "colormap",
+                     "range",
+                     "opacity_scale",
+                     "shading",
+                     "volume",
+                     "iso",
+                     "iso_color",
+                     "iso_opacity",
+                     "mesh",
+                     "mesh_scale",
+                     "mesh_offset",
+                     "mesh_color",
+                     "light",
+                     "ambient",
+                     "light_tolerance",
+                     "specular",
+                     "shininess",
+                     "ambient_occlusion",
+                     "ambient_occlusion_rays",
+                     "plane",
+                     "plane_opacity",
+                     "streamlines",
+                     "streamline_vector",
+                     "streamline_length",
+                     "streamline_radius",
+                     "clip_plane",
+                     "clip_box",
+                     "clip_sphere",
+                     "method",
+                     "tolerance",
+                     "dt",
+                     "lod",
+                     "views"});
     ViewFile file;
     file.path = path;
     file.scene = sceneOf(node, folder);

@@ -46,6 +46,10 @@ void addSceneOptions(CLI::App& command, SceneOptions& options)
                        "transfer function: .xf or JSON (default: chosen from the data)");
     command.add_option("--colormap", options.colorMap, "colour map by name");
     addList(command, "--range", options.range, "LO,HI: the values that the transfer function covers");
+    command.add_option("--color-field", options.colorField,
+                       "the field whose values say in which colour volume, surfaces and planes are (default: --field)");
+    addList(command, "--color-range", options.colorRange,
+            "LO,HI: the values of that field that the colour map covers (default: chosen from the data)");
     command.add_option("--opacity-scale", options.opacityScale, "multiplies all opacities (default 1)");
     command.add_option("--shading", options.shading, "headlight (default) or off");
     addList(command, "--iso", options.iso, "VALUE[,VALUE...]: show the surfaces where the field has these values");
@@ -65,9 +69,26 @@ void addSceneOptions(CLI::App& command, SceneOptions& options)
         "--light-tolerance",
         [&options](const std::string& text) { options.lightTolerance = parseNumber(text, "--light-tolerance"); },
         "how wrong shadows in the volume may make a component (default 1/64)");
+    command.add_option("--specular", options.specular,
+                       "of surfaces and meshes: how bright their white spots are, in [0, 1] (default 0)");
+    command.add_option("--shininess", options.shininess, "of these spots: Phong's exponent, 1 to 1000 (default 32)");
+    command.add_option("--ambient-occlusion", options.ambientOcclusion,
+                       "DISTANCE: surfaces and meshes are darker where others are nearer than this (default 0: off)");
+    command.add_option("--ambient-occlusion-rays", options.ambientOcclusionRays,
+                       "per point, 1 to 1024: fewer are faster and noisier (default 16)");
     addList(command, "--plane", options.planes,
             "X,Y,Z,OFFSET: show the field's values where (X,Y,Z).p = OFFSET (may be repeated)");
     command.add_option("--plane-opacity", options.planeOpacity, "of these planes, in (0, 1] (default 1)");
+    command
+        .add_option("--streamlines", options.streamlines,
+                    "COUNT or NXxNYxNZ seeds in the data, or in a box: COUNT:x0,y0,z0,x1,y1,z1 (may be repeated)")
+        ->allow_extra_args(false);
+    command.add_option("--streamline-vector", options.streamlineVector,
+                       "whose lines (default: the first vector of the data)");
+    command.add_option("--streamline-length", options.streamlineLength,
+                       "to either side of a seed, in the data's units (default: twice their diagonal)");
+    command.add_option("--streamline-radius", options.streamlineRadius,
+                       "of the tubes, in the same units (default: their diagonal / 1000)");
     addList(command, "--clip-plane", options.clipPlanes,
             "X,Y,Z,OFFSET: show only where (X,Y,Z).p >= OFFSET (may be repeated)");
     addList(command, "--clip-box", options.clipBox, "X0,Y0,Z0,X1,Y1,Z1: show only what is inside");
@@ -98,6 +119,11 @@ void addLodOption(CLI::App& command, SceneOptions& options)
 {
     command.add_option("--lod", options.lod,
                        "PIXELS: far away, data averaged into cells about so many pixels wide (default 0: never)");
+}
+
+void addWriteTfOption(CLI::App& command, std::string& file)
+{
+    command.add_option("--write-tf", file, "write the transfer function that is used, colours and all, to this JSON");
 }
 
 } // namespace brickwall

@@ -3,6 +3,8 @@
 
 #include "brickwall/core/scene/SceneOptions.h"
 
+#include <string>
+
 namespace CLI {
 class App;
 }
@@ -22,6 +24,8 @@ void addBackgroundOption(CLI::App& command, SceneOptions& options);
 void addMethodOptions(CLI::App& command, SceneOptions& options);
 /// Adds --lod, which is one of the above.
 void addLodOption(CLI::App& command, SceneOptions& options);
+/// Adds --write-tf.
+void addWriteTfOption(CLI::App& command, std::string& file);
 void addThreadsOption(CLI::App& command, int& threads);
 
 } // namespace brickwall

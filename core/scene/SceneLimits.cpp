@@ -4,6 +4,7 @@
 
 #include "brickwall/core/base/Error.h"
 #include "brickwall/core/io/DerivedFields.h"
+#include "brickwall/core/scene/StreamlineTubes.h"
 #include "brickwall/core/shade/ColorMaps.h"
 
 #include <fmt/format.h>
@@ -32,12 +33,17 @@ public:
         require(std::find(names.begin(), names.end(), found) != names.end(), key,
                 fmt::format("{}", fmt::join(names, ", ")), found);
     }
+    /// An option that has no effect without another one.
+    void needs(bool isThere, std::string_view key, std::string_view other) const
+    {
+        require(isThere, key, fmt::format("{} with it", placeOf_(other)), "none");
+    }
     /// As many numbers as there are surfaces, or one for all, `each` numbers long.
     void perSurface(std::string_view key, std::size_t found, std::size_t surfaces, std::size_t each) const
     {
         if (found == 0)
             return;
-        require(surfaces > 0, key, fmt::format("{} with it", placeOf_("iso")), "none");
+        needs(surfaces > 0, key, "iso");
         require(found == each || found == each * surfaces, key,
                 fmt::format("{} number{}, or {} for each of {} values", each, each == 1 ? "" : "s", each, surfaces),
                 found);
@@ -72,11 +78,11 @@ std::string listOf(const std::vector<double>& values)
     return fmt::format("{}", fmt::join(values, ","));
 }
 
-void checkRange(const std::vector<double>& range, const Limits& limits)
+void checkRange(const std::vector<double>& range, std::string_view key, const Limits& limits)
 {
     limits.require(range.empty() || (range.size() == 2 && static_cast<float>(range[0]) < static_cast<float>(range[1]) &&
                                      isFinite(range[0]) && isFinite(range[1])),
-                   "range", "LO < HI, both finite and apart as 32-bit floats", listOf(range));
+                   key, "LO < HI, both finite and apart as 32-bit floats", listOf(range));
 }
 
 void checkSurfaces(const SceneOptions& options, const Limits& limits)
@@ -93,16 +99,13 @@ void checkSurfaces(const SceneOptions& options, const Limits& limits)
                    "numbers above 0 and at most 1", listOf(options.isoOpacity));
 }
 
-void checkMeshes(const SceneOptions& options, const PlaceOfOption& placeOf, const Limits& limits)
+void checkMeshes(const SceneOptions& options, const Limits& limits)
 {
-    const SceneOptions start;
     const std::vector<double>& offset = options.meshOffset;
-    if (options.meshes.empty()) {
-        const std::string wanted = fmt::format("{} with it", placeOf("mesh"));
-        limits.require(options.meshScale == start.meshScale, "mesh_scale", wanted, "none");
-        limits.require(offset.empty(), "mesh_offset", wanted, "none");
-        limits.require(options.meshColor.empty(), "mesh_color", wanted, "none");
-    }
+    const bool isThere = !options.meshes.empty();
+    limits.needs(isThere || options.meshScale == SceneOptions().meshScale, "mesh_scale", "mesh");
+    limits.needs(isThere || offset.empty(), "mesh_offset", "mesh");
+    limits.needs(isThere || options.meshColor.empty(), "mesh_color", "mesh");
     limits.require(options.meshScale > 0.0 && isFinite(options.meshScale), "mesh_scale", "a finite number above 0",
                    options.meshScale);
     limits.require(offset.empty() || (offset.size() == 3 && std::all_of(offset.begin(), offset.end(), isFinite)),
@@ -111,19 +114,35 @@ void checkMeshes(const SceneOptions& options, const PlaceOfOption& placeOf, cons
                    "mesh_color", "R,G,B, each from 0 to 1", listOf(options.meshColor));
 }
 
-void checkLight(const SceneOptions& options, const PlaceOfOption& placeOf, const Limits& limits)
+void checkLight(const SceneOptions& options, const Limits& limits)
 {
     const std::vector<double>& l = options.light;
     limits.require(l.empty() || (l.size() == 3 && std::all_of(l.begin(), l.end(), isFinite) &&
                                  (l[0] != 0.0 || l[1] != 0.0 || l[2] != 0.0)),
                    "light", "X,Y,Z, finite and not all 0", listOf(l));
     const SceneOptions start;
-    const bool changed = options.ambient != start.ambient || options.lightTolerance != start.lightTolerance;
-    limits.require(!l.empty() || !changed, options.ambient != start.ambient ? "ambient" : "light_tolerance",
-                   fmt::format("{} with it", placeOf("light")), "none");
+    limits.needs(!l.empty() || options.ambient == start.ambient, "ambient", "light");
+    limits.needs(!l.empty() || options.lightTolerance == start.lightTolerance, "light_tolerance", "light");
     limits.require(isFraction(options.ambient), "ambient", "a number from 0 to 1", options.ambient);
     limits.require(isPositiveFraction(options.lightTolerance), "light_tolerance", "a number above 0 and at most 1",
                    options.lightTolerance);
+}
+
+void checkSurfaceLook(const SceneOptions& options, const Limits& limits)
+{
+    const SceneOptions start;
+    limits.require(isFraction(options.specular), "specular", "a number from 0 to 1", options.specular);
+    limits.require(options.specular == 0.0 || options.shading != "off" || !options.light.empty(), "specular",
+                   "--light or --shading headlight with it", "none");
+    limits.needs(options.specular > 0.0 || options.shininess == start.shininess, "shininess", "specular");
+    limits.require(options.shininess >= 1.0 && options.shininess <= 1000.0, "shininess", "a number from 1 to 1000",
+                   options.shininess);
+    limits.require(options.ambientOcclusion >= 0.0, "ambient_occlusion", "a distance of 0 or more",
+                   options.ambientOcclusion);
+    limits.needs(options.ambientOcclusion > 0.0 || options.ambientOcclusionRays == start.ambientOcclusionRays,
+                 "ambient_occlusion_rays", "ambient_occlusion");
+    limits.require(options.ambientOcclusionRays >= 1 && options.ambientOcclusionRays <= 1024, "ambient_occlusion_rays",
+                   "1 to 1024", options.ambientOcclusionRays);
 }
 
 void checkPlanes(const std::vector<double>& planes, std::string_view key, const Limits& limits)
@@ -134,11 +153,11 @@ void checkPlanes(const std::vector<double>& planes, std::string_view key, const 
     limits.require(fine, key, "X,Y,Z,OFFSET, finite, with a normal X,Y,Z that is not 0", listOf(planes));
 }
 
-void checkPlaces(const SceneOptions& options, const PlaceOfOption& placeOf, const Limits& limits)
+void checkPlaces(const SceneOptions& options, const Limits& limits)
 {
     checkPlanes(options.planes, "plane", limits);
-    limits.require(!options.planes.empty() || options.planeOpacity == SceneOptions().planeOpacity, "plane_opacity",
-                   fmt::format("{} with it", placeOf("plane")), "none");
+    limits.needs(!options.planes.empty() || options.planeOpacity == SceneOptions().planeOpacity, "plane_opacity",
+                 "plane");
     limits.require(isPositiveFraction(options.planeOpacity), "plane_opacity", "a number above 0 and at most 1",
                    options.planeOpacity);
     checkPlanes(options.clipPlanes, "clip_plane", limits);
@@ -180,16 +199,21 @@ void checkSceneOptions(const SceneOptions& options, const PlaceOfOption& placeOf
 {
     const Limits limits(placeOf);
     parseDerivedFields(options.derive, placeOf("derive"));
-    checkRange(options.range, limits);
+    checkRange(options.range, "range", limits);
+    checkRange(options.colorRange, "color_range", limits);
+    limits.needs(options.colorRange.empty() || !options.colorField.empty() || !options.transferFunction.empty(),
+                 "color_range", "color_field");
     limits.require(options.opacityScale >= 0.0 && isFinite(options.opacityScale), "opacity_scale",
                    "a finite number of 0 or more", options.opacityScale);
     limits.oneOf("non_finite", options.nonFinite, {"error", "empty"});
     limits.oneOf("shading", options.shading, {"headlight", "off"});
     limits.oneOf("volume", options.volume, {"on", "off"});
     checkSurfaces(options, limits);
-    checkMeshes(options, placeOf, limits);
-    checkLight(options, placeOf, limits);
-    checkPlaces(options, placeOf, limits);
+    checkMeshes(options, limits);
+    checkLight(options, limits);
+    checkSurfaceLook(options, limits);
+    checkPlaces(options, limits);
+    checkStreamlines(options, placeOf);
     limits.require(options.background.empty() || (options.background.size() == 3 && areFractions(options.background)),
                    "background", "R,G,B, each from 0 to 1", listOf(options.background));
     checkMethod(options, placeOf, limits);

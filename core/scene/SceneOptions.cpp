@@ -96,6 +96,9 @@ RenderSettings renderSettings(const SceneOptions& options)
     if (!options.light.empty())
         settings.light = Light{vec3d(options.light[0], options.light[1], options.light[2]),
                                static_cast<float>(options.ambient), static_cast<float>(options.lightTolerance)};
+    settings.specular = {static_cast<float>(options.specular), static_cast<float>(options.shininess)};
+    if (options.ambientOcclusion > 0.0)
+        settings.ambientOcclusion = AmbientOcclusion{options.ambientOcclusion, options.ambientOcclusionRays};
     return settings;
 }
 
@@ -156,8 +159,11 @@ std::vector<IsoSurface> isoSurfaces(const SceneOptions& options, const TransferF
         IsoSurface surface;
         surface.value = static_cast<float>(options.iso[i]);
         const std::size_t color = options.isoColors.size() > 3 ? 3 * i : 0;
-        surface.color = options.isoColors.empty() ? vec3f(colorAt(transferFunction, options.iso[i]))
-                                                  : linearColor(options.isoColors.data() + color);
+        if (!options.isoColors.empty())
+            surface.color = linearColor(options.isoColors.data() + color);
+        else if (!transferFunction.colorField)
+            surface.color = vec3f(colorAt(transferFunction, options.iso[i]));
+        surface.coloredByField = options.isoColors.empty() && transferFunction.colorField.has_value();
         if (!options.isoOpacity.empty())
             surface.opacity = static_cast<float>(options.isoOpacity[options.isoOpacity.size() > 1 ? i : 0]);
         surfaces.push_back(surface);

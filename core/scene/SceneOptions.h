@@ -23,6 +23,8 @@ struct SceneOptions
     std::string transferFunction;    ///< .xf or JSON file; empty: chosen from the data
     std::string colorMap;            ///< empty: that of the transfer function, or cool-warm
     std::vector<double> range;       ///< empty, or lo and hi
+    std::string colorField;          ///< what colours are of; empty: that of the transfer function, or the field itself
+    std::vector<double> colorRange;  ///< of that field; empty, or lo and hi
     double opacityScale = 1.0;
     std::string shading = "headlight";
     std::string volume = "on";
@@ -36,12 +38,20 @@ struct SceneOptions
     std::vector<double> light;       ///< none, or x, y, z: the direction that it comes from, in world space
     double ambient = 0.2;            ///< of the light, what comes from everywhere
     double lightTolerance = 1.0 / 64.0;
+    double specular = 0.0;
+    double shininess = 32.0;
+    double ambientOcclusion = 0.0; ///< world space; 0: none
+    int ambientOcclusionRays = 16;
     std::vector<double> planes; ///< contour planes, x, y, z, offset for each
     double planeOpacity = 1.0;
-    std::vector<double> clipPlanes; ///< x, y, z, offset for each; kept is where x px + y py + z pz >= offset
-    std::vector<double> clipBox;    ///< none, or the lower corner and the upper one
-    std::vector<double> clipSphere; ///< none, or x, y, z of its centre, and the radius
-    std::vector<double> background; ///< empty (black, or the rig's), or r, g, b in sRGB
+    std::vector<std::string> streamlines; ///< seeds: COUNT or NXxNYxNZ, and behind a colon a box: "5x5x5:0,0,0,1,1,1"
+    std::string streamlineVector;         ///< its name; empty: the first that the data have
+    double streamlineLength = 0.0;        ///< in world space, to either side of a seed; 0: chosen from the data
+    double streamlineRadius = 0.0;        ///< of the tubes; 0: chosen from the data
+    std::vector<double> clipPlanes;       ///< x, y, z, offset for each; kept is where x px + y py + z pz >= offset
+    std::vector<double> clipBox;          ///< none, or the lower corner and the upper one
+    std::vector<double> clipSphere;       ///< none, or x, y, z of its centre, and the radius
+    std::vector<double> background;       ///< empty (black, or the rig's), or r, g, b in sRGB
     std::string method = "bounded";
     std::optional<double> tolerance; ///< of bounded
     std::optional<double> dt;        ///< of the methods that take steps
@@ -81,7 +91,8 @@ std::vector<TriangleMesh> readMeshes(const SceneOptions& options, Progress& prog
 /// Contour planes and what is cut away, of options that are within their limits.
 std::vector<ContourPlane> contourPlanes(const SceneOptions& options);
 ClipRegion clipRegion(const SceneOptions& options);
-/// Colours that the user did not give are those of the transfer function.
+/// Colours that the user did not give are those of the transfer function: at the surface's value, or of its colour
+/// field.
 std::vector<IsoSurface> isoSurfaces(const SceneOptions& options, const TransferFunction& transferFunction);
 
 } // namespace brickwall

@@ -20,7 +20,10 @@ struct PreparedScene
     std::string name;
     std::string field;
     std::string unit;
-    Box3d bounds; ///< world
+    std::string colorField; ///< what colours are of, and its unit: the field itself, or another one
+    std::string colorUnit;
+    TransferFunction transferFunction; ///< that of the scene, as it is if the volume is not switched off
+    Box3d bounds;                      ///< world
     std::uint64_t cells = 0;
     std::uint64_t bytes = 0;          ///< that regions and field take
     double loadMilliseconds = 0.0;    ///< from the file to bricks
@@ -29,9 +32,6 @@ struct PreparedScene
 
 /// Opens, reads, builds regions, chooses the transfer function and makes the surfaces; says in notes what was repaired
 /// or chosen, and what will not be seen. The options are within their limits.
-///
-/// `more` are opaque triangles in world space, beside those of the data.
-PreparedScene prepareScene(const SceneOptions& options, const Executor& executor, Progress& progress,
-                           std::vector<TriangleMesh> more = {});
+PreparedScene prepareScene(const SceneOptions& options, const Executor& executor, Progress& progress);
 
 } // namespace brickwall

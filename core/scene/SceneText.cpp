@@ -113,6 +113,8 @@ std::string sceneText(const SceneOptions& options)
     line.add("tf", options.transferFunction, start.transferFunction);
     line.add("colormap", options.colorMap, start.colorMap);
     line.add("range", options.range, start.range);
+    line.add("color-field", options.colorField, start.colorField);
+    line.add("color-range", options.colorRange, start.colorRange);
     line.add("opacity-scale", options.opacityScale, start.opacityScale);
     line.add("shading", options.shading, start.shading);
     line.add("volume", options.volume, start.volume);
@@ -127,8 +129,17 @@ std::string sceneText(const SceneOptions& options)
     line.add("light", options.light, start.light);
     line.add("ambient", options.ambient, start.ambient);
     line.add("light-tolerance", options.lightTolerance, start.lightTolerance);
+    line.add("specular", options.specular, start.specular);
+    line.add("shininess", options.shininess, start.shininess);
+    line.add("ambient-occlusion", options.ambientOcclusion, start.ambientOcclusion);
+    line.add("ambient-occlusion-rays", options.ambientOcclusionRays, start.ambientOcclusionRays);
     line.add("plane", options.planes, start.planes);
     line.add("plane-opacity", options.planeOpacity, start.planeOpacity);
+    for (const std::string& seeds : options.streamlines)
+        line.addWord("streamlines", seeds);
+    line.add("streamline-vector", options.streamlineVector, start.streamlineVector);
+    line.add("streamline-length", options.streamlineLength, start.streamlineLength);
+    line.add("streamline-radius", options.streamlineRadius, start.streamlineRadius);
     line.add("clip-plane", options.clipPlanes, start.clipPlanes);
     line.add("clip-box", options.clipBox, start.clipBox);
     line.add("clip-sphere", options.clipSphere, start.clipSphere);

@@ -47,6 +47,9 @@ TEST(AccuracyOptions, StatisticsNameTheMethodAndItsParameter)
     EXPECT_EQ(statisticsOf("--method reference")["method"], reference);
     const json light = statisticsOf("--light 0,1,2 --ambient 0.5 --light-tolerance 1/16")["method"]["light"];
     EXPECT_EQ(light, json({{"towards", {0.0, 1.0, 2.0}}, {"ambient", 0.5}, {"tolerance", 0.0625}}));
+    const json look = statisticsOf("--specular 0.5 --ambient-occlusion 2")["method"];
+    EXPECT_EQ(look["specular"], json({{"strength", 0.5}, {"shininess", 32.0}}));
+    EXPECT_EQ(look["ambient_occlusion"], json({{"distance", 2.0}, {"rays", 16}}));
 }
 
 TEST(AccuracyOptions, StatisticsHoldCountsAndTheBound)
@@ -134,6 +137,8 @@ TEST(AccuracyOptions, OutsideTheirLimitsAreRefusedInOneLine)
     refused("--mesh /no/such/ball.obj", "/no/such/ball.obj: there is no such file");
     refused("--light 0,0,0", "--light: expected X,Y,Z, finite");
     refused("--ambient 0.5", "--ambient: expected --light with it");
+    refused("--specular 0.5 --shading off", "--specular: expected --light or --shading headlight with it");
+    refused("--ambient-occlusion-rays 8", "--ambient-occlusion-rays: expected --ambient-occlusion with it");
     refused("--light 0,1,0 --ambient 2", "--ambient: expected a number from 0 to 1");
     refused("--plane-opacity 0.5", "--plane-opacity: expected --plane with it");
     refused("--plane 1,0,0", "--plane: expected X,Y,Z,OFFSET");
@@ -142,6 +147,8 @@ TEST(AccuracyOptions, OutsideTheirLimitsAreRefusedInOneLine)
     refused("--opacity-scale -1", "--opacity-scale: expected");
     refused("--background 1,0", "--background: expected");
     refused("--range 1", "--range: expected");
+    refused("--color-field pressure --color-range 1,1", "--color-range: expected LO < HI");
+    refused("--color-range 0,1", "--color-range: expected --color-field with it");
 }
 
 TEST(AccuracyOptions, OfAViewFileHaveTheSameLimits)
@@ -161,16 +168,17 @@ TEST(AccuracyOptions, OfAViewFileHaveTheSameLimits)
         EXPECT_EQ(outcome.exitCode, 2) << options;
         EXPECT_NE(messageOf(outcome).find("views.json: \"" + said), std::string::npos) << outcome.err;
     };
-    for (const json& options : {json{{"tolerance", "1/100"}}, json{{"tolerance", 0.01}}, json{{"iso", 0.5}},
-                                json{{"method", "midpoint"}, {"dt", 2}},
-                                json{{"iso", {0.5, 0.7}}, {"iso_color", {{1, 0, 0}, {0, 1, 0}}}, {"iso_opacity", 0.5}},
-                                json{{"iso", {0.5}}, {"volume", "off"}},
-                                json{{"light", {1, 2, 3}}, {"ambient", 0.5}, {"light_tolerance", "1/16"}},
-                                json{{"plane", {{1, 0, 0, 0.5}, {0, 1, 0, 0}}},
-                                     {"plane_opacity", 0.5},
-                                     {"clip_plane", {0, 0, 1, -1}},
-                                     {"clip_box", {-9, -9, -9, 9, 9, 9}},
-                                     {"clip_sphere", {0, 0, 0, 9}}}})
+    for (const json& options :
+         {json{{"tolerance", "1/100"}}, json{{"tolerance", 0.01}}, json{{"iso", 0.5}},
+          json{{"method", "midpoint"}, {"dt", 2}},
+          json{{"iso", {0.5, 0.7}}, {"iso_color", {{1, 0, 0}, {0, 1, 0}}}, {"iso_opacity", 0.5}},
+          json{{"iso", {0.5}}, {"volume", "off"}}, json{{"color_field", "pressure"}, {"color_range", {0, 0.5}}},
+          json{{"light", {1, 2, 3}}, {"ambient", 0.5}, {"light_tolerance", "1/16"}},
+          json{{"plane", {{1, 0, 0, 0.5}, {0, 1, 0, 0}}},
+               {"plane_opacity", 0.5},
+               {"clip_plane", {0, 0, 1, -1}},
+               {"clip_box", {-9, -9, -9, 9, 9, 9}},
+               {"clip_sphere", {0, 0, 0, 9}}}})
         EXPECT_EQ(verified(options).exitCode, 0) << options << verified(options).err;
     refused({{"tolerance", 2}}, "tolerance\": expected");
     refused({{"tolerance", "one"}}, "tolerance\": expected");

@@ -136,6 +136,29 @@ TEST(ChartCommand, SaysWhatWasMeasuredWhere)
     EXPECT_GT(chart["views"][1]["reference_milliseconds"], 0.0);
 }
 
+TEST(ChartCommandOptions, LightAndAmbientOcclusionAreInTimesErrorsAndTheFile)
+{
+    // Once the chart showed the scene without them, whatever was asked for.
+    const auto folder = scratchFolder() / "lit";
+    const auto errorOf = [&](const std::string& look) {
+        const Outcome outcome = run("chart sample:wake:50k --size 16x16 --methods bounded --tolerance 1e-3 --repeat 1 "
+                                    "--iso 0.9 --camera=-4,3,5,0,0,0,0,1,0 --out " +
+                                    folder.string() + " " + look);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        for (const Row& row : rowsOf(folder / "chart.csv"))
+            if (row.at("method") == "bounded")
+                return std::stod(row.at("rms_error"));
+        return -1.0;
+    };
+    const double coarse = errorOf("--light 1,2,1 --light-tolerance 1/4"),
+                 fine = errorOf("--light 1,2,1 --light-tolerance 1/256");
+    EXPECT_GT(coarse, 2.0 * fine) << "against a light that is known well";
+    EXPECT_EQ(json::parse(contentOf(folder / "chart.json"))["light"]["tolerance"], 1.0 / 256.0);
+    const double few = errorOf("--ambient-occlusion 1 --ambient-occlusion-rays 1"),
+                 many = errorOf("--ambient-occlusion 1 --ambient-occlusion-rays 64");
+    EXPECT_GT(few, 2.0 * many) << "against many rays";
+}
+
 TEST(ChartCommandOptions, SelectMethodsViewsAndSurfaces)
 {
     const auto folder = scratchFolder();

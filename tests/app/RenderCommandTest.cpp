@@ -181,3 +181,24 @@ TEST(RenderCommand, CtrlCEndsItWithoutPictures)
     EXPECT_EQ(WEXITSTATUS(status), 130);
     EXPECT_TRUE(!exists(folder) || std::filesystem::is_empty(folder));
 }
+
+TEST(RenderCommand, WritesTheTransferFunctionThatItUsedAndReadsItBack)
+{
+    const auto folder = scratchFolder();
+    const std::string tf = (folder / "tf.json").string();
+    const std::string common = "render " + sample + " --iso 0.6 --iso-opacity 0.5 --size 32x32 --format exr --stats " +
+                               (folder / "stats.json").string();
+    ASSERT_EQ(run(common + " --color-field pressure --colormap viridis --write-tf " + tf + " --out " +
+                  (folder / "a").string())
+                  .exitCode,
+              0);
+    const json stats = json::parse(contentOf(folder / "stats.json"));
+    EXPECT_EQ(stats["colors"]["field"], "pressure");
+    EXPECT_EQ(stats["field"], "speed");
+    EXPECT_EQ(stats["surfaces"][0]["colored_by_field"], true);
+    ASSERT_EQ(run(common + " --tf " + tf + " --out " + (folder / "b").string()).exitCode, 0);
+    const Frame a = readExr((folder / "a/view.exr").string()), b = readExr((folder / "b/view.exr").string());
+    EXPECT_LT(compareFrames(a, b).max, 1e-4);
+    ASSERT_EQ(run(common + " --out " + (folder / "c").string()).exitCode, 0);
+    EXPECT_GT(compareFrames(a, readExr((folder / "c/view.exr").string())).max, 0.05) << "that is in other colours";
+}

@@ -63,11 +63,24 @@ TEST(SceneText, RefusesWhatTheCommandLineRefusesAndChangesNothing)
                                               "ambient=0.5",
                                               "light=1,0,0 light-tolerance=0",
                                               "light-tolerance=0.5",
+                                              "specular=1.5",
+                                              "specular=0.5 shading=off",
+                                              "shininess=8",
+                                              "specular=0.5 shininess=0",
+                                              "ambient-occlusion=-1",
+                                              "ambient-occlusion=nan",
+                                              "ambient-occlusion-rays=8",
+                                              "ambient-occlusion=1 ambient-occlusion-rays=0",
                                               "plane-opacity=0.5",
                                               "plane=1,0,0",
                                               "plane=0,0,0,1",
                                               "plane-opacity=0",
+                                              "color-range=0,1",
+                                              "color-field=a color-range=1,0",
                                               "clip-plane=0,0,0,1",
+                                              "streamlines=5y5",
+                                              "streamline-radius=1",
+                                              "streamlines=5 streamline-length=-1",
                                               "clip-box=0,0,0,1,1",
                                               "clip-box=0,0,0,1,0,1",
                                               "clip-sphere=0,0,0,0",
@@ -85,10 +98,14 @@ TEST(SceneText, WritesWhatItReads)
     for (const char* text :
          {"field=dens tf=my.xf range=-1,2.5 shading=off iso=0.5,0.9 iso-color=1,0,0.25 iso-opacity=0.3,1 "
           "tolerance=0.002",
+          "field=a color-field=\"b c\" color-range=-1,0.5",
           "derive=\"b = 2 * a\" non-finite=empty colormap=\"Cool Warm\" opacity-scale=0.1 volume=off background=0,0,1 "
           "method=midpoint dt=0.25 lod=1.5 threads=3",
           "mesh=a.obj mesh=\"b c.ply\" mesh-scale=0.5 mesh-offset=1,2,3 mesh-color=1,0,0 light=0.5,1,-2 ambient=0.1 "
-          "light-tolerance=0.25 plane=1,0,0,0.5,0,1,0,-2 plane-opacity=0.5 "
+          "light-tolerance=0.25 specular=0.5 shininess=8 ambient-occlusion=2 ambient-occlusion-rays=4 "
+          "plane=1,0,0,0.5,0,1,0,-2 plane-opacity=0.5 "
+          "streamlines=5x5x1:0,0,0,1,1,1 streamlines=7 streamline-vector=velocity streamline-length=2 "
+          "streamline-radius=0.1 "
           "clip-plane=0,0,1,3 clip-box=-1,-1,-1,1,2,3 clip-sphere=1,2,3,4"}) {
         const SceneOptions options = optionsOf(text);
         EXPECT_EQ(sceneText(options), text);

@@ -1,11 +1,10 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
-#include "brickwall/core/scene/StreamlineOptions.h"
+#include "brickwall/core/scene/StreamlineTubes.h"
 
 #include "brickwall/core/base/Error.h"
 #include "brickwall/core/io/VectorFields.h"
 #include "brickwall/core/trace/Streamlines.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
@@ -70,13 +69,14 @@ SeedText parseSeeds(const std::string& text, const std::string& place)
     return seeds;
 }
 
-VectorFields vectorOf(const SceneOptions& scene, const std::string& name, const DataSet& data)
+VectorFields vectorOf(const SceneOptions& options, const DataSet& data)
 {
+    const std::string& name = options.streamlineVector;
     const auto vectors = findVectors(data.fieldNames());
     if (vectors.empty())
         throw Error("--streamlines", fmt::format("{} has no vector: no three fields with names such as velx vely velz "
                                                  "or u v w",
-                                                 scene.data));
+                                                 options.data));
     const auto found = name.empty() ? vectors.begin() : std::ranges::find(vectors, name, &VectorFields::name);
     if (found != vectors.end())
         return *found;
@@ -96,10 +96,10 @@ double largestLength(const Model& model)
     return most;
 }
 
-std::vector<vec3d> seedsOf(const StreamlineOptions& options, const Box3d& bounds)
+std::vector<vec3d> seedsOf(const SceneOptions& options, const Box3d& bounds)
 {
     std::vector<vec3d> seeds;
-    for (const std::string& text : options.seeds) {
+    for (const std::string& text : options.streamlines) {
         const SeedText parsed = parseSeeds(text, "--streamlines");
         const Box3d box = parsed.box.value_or(bounds);
         const auto more = parsed.counts.size() == 1
@@ -127,50 +127,36 @@ std::string describe(const std::vector<Streamline>& lines, std::size_t seeds, co
 
 } // namespace
 
-void addStreamlineOptions(CLI::App& command, StreamlineOptions& options)
+void checkStreamlines(const SceneOptions& options, const PlaceOfOption& placeOf)
 {
-    command
-        .add_option("--streamlines", options.seeds,
-                    "COUNT or NXxNYxNZ seeds in the data, or in a box: COUNT:x0,y0,z0,x1,y1,z1 (may be repeated)")
-        ->allow_extra_args(false);
-    command.add_option("--streamline-vector", options.vector, "whose lines (default: the first vector of the data)");
-    command.add_option("--streamline-length", options.length,
-                       "to either side of a seed, in the data's units (default: twice their diagonal)");
-    command.add_option("--streamline-radius", options.radius,
-                       "of the tubes, in the same units (default: their diagonal / 1000)");
-}
-
-void checkStreamlineOptions(const StreamlineOptions& options, const PlaceOfOption& placeOf)
-{
-    for (const std::string& text : options.seeds)
+    for (const std::string& text : options.streamlines)
         parseSeeds(text, placeOf("streamlines"));
     const auto positive = [&](std::string_view key, double value) {
         if (!(value >= 0.0 && std::isfinite(static_cast<float>(value))))
             throw Error(placeOf(key), fmt::format("expected a finite number above 0, found {}", value));
     };
-    positive("streamline_length", options.length);
-    positive("streamline_radius", options.radius);
+    positive("streamline_length", options.streamlineLength);
+    positive("streamline_radius", options.streamlineRadius);
     const auto belongs = [&](std::string_view key, bool given) {
-        if (given && options.seeds.empty())
+        if (given && options.streamlines.empty())
             throw Error(placeOf(key), fmt::format("has no effect without {}", placeOf("streamlines")));
     };
-    belongs("streamline_vector", !options.vector.empty());
-    belongs("streamline_length", options.length > 0.0);
-    belongs("streamline_radius", options.radius > 0.0);
+    belongs("streamline_vector", !options.streamlineVector.empty());
+    belongs("streamline_length", options.streamlineLength > 0.0);
+    belongs("streamline_radius", options.streamlineRadius > 0.0);
 }
 
-std::vector<TriangleMesh> streamlineTubes(const SceneOptions& scene, const StreamlineOptions& options,
-                                          const Executor& executor, Progress& progress)
+std::vector<TriangleMesh> streamlineTubes(const SceneOptions& options, const DataSet& data, const Executor& executor,
+                                          Progress& progress)
 {
-    if (options.seeds.empty())
+    if (options.streamlines.empty())
         return {};
-    const auto data = openData(scene);
-    const VectorFields vector = vectorOf(scene, options.vector, *data);
-    const Model model = data->load(vector.components, executor, progress, nonFiniteOf(scene));
+    const VectorFields vector = vectorOf(options, data);
+    const Model model = data.load(vector.components, executor, progress, nonFiniteOf(options));
     const Box3d bounds = worldBounds(model);
     const double diagonal = glm::length(bounds.extent());
     StreamlineConfig config;
-    config.length = options.length > 0.0 ? options.length : 2.0 * diagonal;
+    config.length = options.streamlineLength > 0.0 ? options.streamlineLength : 2.0 * diagonal;
     const std::vector<vec3d> seeds = seedsOf(options, bounds);
     const auto lines =
         traceStreamlines(VectorSampler(model, {0, 1, 2}), largestLength(model), seeds, config, executor, progress);
@@ -181,7 +167,8 @@ std::vector<TriangleMesh> streamlineTubes(const SceneOptions& scene, const Strea
     progress.note(describe(lines, seeds.size(), vector.name));
     constexpr int sides = 8;
     std::vector<TriangleMesh> meshes;
-    meshes.push_back(tubesAround(lines, options.radius > 0.0 ? options.radius : diagonal / 1000.0, sides));
+    meshes.push_back(
+        tubesAround(lines, options.streamlineRadius > 0.0 ? options.streamlineRadius : diagonal / 1000.0, sides));
     return meshes;
 }
 
