@@ -29,8 +29,6 @@ std::string paid(const FrameCost& cost, const FrameLevers& levers)
             text += fmt::format("error up to {:.2g} ({:.2g} wanted)", value, range.finest);
         else if (range.lever == Lever::dt)
             text += fmt::format("dt {:.2g} ({:.2g} wanted)", value, range.finest);
-        else if (range.lever == Lever::pyramidBias)
-            text += fmt::format("{:.1f} levels coarser", value);
         else
             text += fmt::format("{:.0f}/8 of the pixels across", value);
     }
@@ -39,41 +37,29 @@ std::string paid(const FrameCost& cost, const FrameLevers& levers)
 
 } // namespace
 
-FramePace::FramePace(LeveredFrameMaker makeFrames, LeverTable levers, std::optional<double> fps)
-    : makeFrames_(std::move(makeFrames)), controller_(std::move(levers))
+FramePace::FramePace(LeveredFrameMaker makeFrames, LeverTable levers, std::optional<double> fps, FrameWorkMeter meter,
+                     int samplesPerPixel)
+    : makeFrames_(std::move(makeFrames)),
+      meter_(std::move(meter)),
+      samplesPerPixel_(samplesPerPixel),
+      controller_(std::move(levers))
 {
     completed_ = controller_.cost().finest();
     setFps(fps);
 }
 
-FrameMaker FramePace::moving()
+FrameMaker FramePace::maker(Purpose purpose)
 {
-    return [this](std::span<const View> views, Progress& progress) {
-        std::unique_lock lock(mutex_);
-        const FrameLevers levers = fps_ ? controller_.decision().levers : controller_.cost().finest();
-        lock.unlock();
-        return render(views, levers, true, progress);
-    };
+    return
+        [this, purpose](std::span<const View> views, Progress& progress) { return render(views, purpose, progress); };
 }
 
-FrameMaker FramePace::resting()
+FrameLevers FramePace::leversFor(Purpose purpose, double work)
 {
-    return [this](std::span<const View> views, Progress& progress) {
-        std::unique_lock lock(mutex_);
-        const FrameLevers levers = nextRefinement();
-        lock.unlock();
-        return render(views, levers, false, progress);
-    };
-}
-
-FrameMaker FramePace::finished()
-{
-    return [this](std::span<const View> views, Progress& progress) {
-        std::unique_lock lock(mutex_);
-        const FrameLevers levers = controller_.cost().finest();
-        lock.unlock();
-        return render(views, levers, false, progress);
-    };
+    const std::lock_guard lock(mutex_);
+    if (purpose == Purpose::resting)
+        return nextRefinement();
+    return purpose == Purpose::moving && fps_ ? controller_.decide(work).levers : controller_.cost().finest();
 }
 
 FrameLevers FramePace::nextRefinement() const
@@ -84,18 +70,26 @@ FrameLevers FramePace::nextRefinement() const
     return next < 0.0 && cost.logFactor(finer) > now ? finer : cost.finest();
 }
 
-std::vector<Frame> FramePace::render(std::span<const View> views, const FrameLevers& levers, bool isMoving,
-                                     Progress& progress)
+std::vector<Frame> FramePace::render(std::span<const View> views, Purpose purpose, Progress& progress)
 {
+    const bool isMoving = purpose == Purpose::moving;
     const auto start = Clock::now();
-    std::vector<Frame> frames = makeFrames_(views, levers, progress); // a cancelled one leaves no trace
+    const double work = isMoving && meter_ && fps() ? meter_(views, progress) : pixelsOf(views);
+    const FrameLevers levers = leversFor(purpose, work);
+    const bool averaging = purpose == Purpose::resting && samplesPerPixel_ > 1 && isFinest(levers);
+    if (!averaging)
+        accumulation_.restart();
+    // A cancelled one leaves no trace.
+    std::vector<Frame> frames = averaging ? accumulation_.add(makeFrames_(accumulation_.next(views), levers, progress))
+                                          : makeFrames_(views, levers, progress);
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     const std::lock_guard lock(mutex_);
     completed_ = levers;
+    averaged_ = accumulation_.count();
     moving_ = isMoving;
     if (isMoving && fps_) {
         seconds_ = seconds;
-        controller_.report(levers, seconds, pixelsOf(views));
+        controller_.report(levers, seconds, work);
     }
     return frames;
 }
@@ -103,7 +97,13 @@ std::vector<Frame> FramePace::render(std::span<const View> views, const FrameLev
 bool FramePace::refined() const
 {
     const std::lock_guard lock(mutex_);
-    return completed_ == controller_.cost().finest();
+    return completed_ == controller_.cost().finest() && (samplesPerPixel_ <= 1 || averaged_ >= samplesPerPixel_);
+}
+
+bool FramePace::isFinest(const FrameLevers& levers) const
+{
+    const std::lock_guard lock(mutex_);
+    return levers == controller_.cost().finest();
 }
 
 std::optional<double> FramePace::fps() const
@@ -129,7 +129,8 @@ std::string FramePace::status() const
         return {};
     const std::string error = paid(controller_.cost(), completed_);
     if (!moving_)
-        return fmt::format("{:.0f} fps, at rest: {}", *fps_, error);
+        return fmt::format("{:.0f} fps, at rest: {}{}", *fps_, error,
+                           averaged_ > 1 ? fmt::format(", {} samples per pixel", averaged_) : "");
     return fmt::format("{:.0f} fps: {:.0f} of {:.0f} ms{}\n{}", *fps_, 1e3 * seconds_, 1e3 / *fps_,
                        controller_.decision().unreachable ? ", out of reach" : "", error);
 }

@@ -1,13 +1,16 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "brickwall/plugin/NodeTriangles.h"
 
+#include "brickwall/core/shade/Srgb.h"
 #include "brickwall/plugin/OsgConversions.h"
 
 #include <osg/Drawable>
 #include <osg/NodeVisitor>
 #include <osg/Transform>
 #include <osg/TriangleFunctor>
+#include <osgUtil/SmoothingVisitor>
 
+#include <numbers>
 #include <utility>
 
 namespace brickwall {
@@ -69,6 +72,29 @@ std::vector<TriangleMesh> trianglesOf(osg::Node& scene)
     TriangleVisitor visitor;
     scene.accept(visitor);
     return std::move(visitor.meshes);
+}
+
+osg::ref_ptr<osg::Geometry> geometryOf(const TriangleMesh& mesh)
+{
+    osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
+    for (const vec3f& v : mesh.vertices)
+        vertices->push_back(osg::Vec3(v.x, v.y, v.z));
+    osg::ref_ptr<osg::DrawElementsUInt> triangles = new osg::DrawElementsUInt(GL_TRIANGLES);
+    for (const vec3i& t : mesh.triangles)
+        for (int corner = 0; corner < 3; ++corner)
+            triangles->push_back(GLuint(t[corner]));
+    osg::Vec4 color(0.0f, 0.0f, 0.0f, 1.0f);
+    for (int c = 0; c < 3; ++c)
+        color[c] = srgbFromLinear(mesh.color[c]);
+    osg::ref_ptr<osg::Vec4Array> colors = new osg::Vec4Array(osg::Array::BIND_OVERALL);
+    colors->push_back(color);
+    osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+    geometry->setVertexArray(vertices);
+    geometry->setColorArray(colors);
+    geometry->addPrimitiveSet(triangles);
+    constexpr double crease = std::numbers::pi / 3.0;
+    osgUtil::SmoothingVisitor::smooth(*geometry, crease);
+    return geometry;
 }
 
 TriangleMesh transformed(const TriangleMesh& mesh, const mat4d& m)

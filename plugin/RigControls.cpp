@@ -142,11 +142,10 @@ bool RigControls::setFps(int key)
 {
     if (!pace_)
         return false;
-    constexpr double usual = 20.0;
     if (key == '0')
-        pace_->setFps(pace_->fps() ? std::nullopt : std::optional(usual));
+        pace_->setFps(pace_->fps() ? std::nullopt : std::optional(usualFps));
     else
-        pace_->setFps(pace_->fps().value_or(usual) + (key == '-' ? -1.0 : 1.0));
+        pace_->setFps(pace_->fps().value_or(usualFps) + (key == '-' ? -1.0 : 1.0));
     showStatus(pace_->status());
     return true;
 }

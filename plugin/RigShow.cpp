@@ -53,6 +53,7 @@ bool RigShow::followPose(const FrameMaker& makeFrames)
     requested_ = windows_.requestOf(views, roomFromWorld);
     const bool outdated = std::exchange(refining_, false);
     request_ = rendering_.request(requested_, makeFrames, outdated);
+    finishing_ = &makeFrames == &finished_;
     return true;
 }
 
@@ -62,6 +63,7 @@ void RigShow::refine()
     if (requested_.empty() || pace_->refined())
         return;
     refining_ = true;
+    finishing_ = false;
     request_ = rendering_.request(requested_, pace_->resting());
 }
 
@@ -90,7 +92,10 @@ void RigShow::wait(std::chrono::milliseconds time) const
 
 void RigShow::drawCompleted()
 {
-    followPose(finished_);
+    if (!followPose(finished_) && !finishing_ && !requested_.empty()) { // what was shown last has moved
+        request_ = rendering_.request(requested_, finished_);
+        finishing_ = true;
+    }
     while (!rendering_.idle()) {
         progress_.check();
         rendering_.waitFor(20ms);

@@ -64,6 +64,7 @@ private:
     std::vector<RequestedView> requested_; ///< last
     unsigned request_ = 0;                 ///< its number
     bool refining_ = false;                ///< it is a refinement
+    bool finishing_ = false;               ///< it is as accurate as the user wants it
     ViewRendering rendering_;              ///< last: it ends before what it writes to does
 };
 

@@ -1,6 +1,7 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "brickwall/plugin/RigViewer.h"
 
+#include "brickwall/channels/FrameWork.h"
 #include "brickwall/channels/LeveredViews.h"
 #include "brickwall/core/base/BoxCorners.h"
 #include "brickwall/core/base/Error.h"
@@ -16,6 +17,8 @@ namespace brickwall {
 namespace {
 
 using namespace std::chrono_literals;
+
+constexpr int samplesAtRest = 17; ///< per pixel: edges are then off by an eighth of what they are with one
 
 /// A channel may have no window (-1): it is rendered by `render`, and there is nothing to show it in here.
 Rig withoutUnseenChannels(Rig rig)
@@ -36,29 +39,38 @@ void wait(RigShow& show)
     show.wait(10ms);
 }
 
+template <class Shown>
+void step(Shown& shown)
+{
+    if (!shown.step())
+        wait(shown);
+}
+
+/// Until the flight has ended, or the user ends it.
+template <class Shown>
+void fly(Shown& shown, const ViewerOptions& options)
+{
+    const auto start = std::chrono::steady_clock::now();
+    while (!shown.done()) {
+        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+        const auto place = options.flight(seconds.count());
+        if (!place)
+            return;
+        shown.navigation().placeData(*place);
+        step(shown);
+    }
+}
+
 /// Until the user ends it, or the frames are drawn.
 template <class Shown>
 void run(Shown& shown, const ViewerOptions& options)
 {
+    if (options.flight)
+        fly(shown, options);
     for (int i = 0; i < options.frames && !shown.done(); ++i)
         shown.drawCompleted();
-    const auto start = std::chrono::steady_clock::now();
-    for (bool flying = bool(options.flight); options.frames == 0 && !shown.done();) {
-        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-        if (const auto place = flying ? options.flight(seconds.count()) : std::nullopt)
-            shown.navigation().placeData(*place);
-        else
-            flying = false;
-        if (!shown.step())
-            wait(shown);
-    }
-}
-
-void runShow(RigShow& show, const Rig& rig, const ViewerOptions& options)
-{
-    run(show, options);
-    if (!options.screenshotFolder.empty())
-        writePictures(options.screenshotFolder, rig, show.pictures());
+    while (options.frames == 0 && !shown.done())
+        step(shown);
 }
 
 void checkOptions(const ViewerOptions& options)
@@ -71,25 +83,41 @@ void checkOptions(const ViewerOptions& options)
         throw Error("viewer", "pictures of the windows are taken after a number of frames; give one");
 }
 
+/// `Shown` is what the show follows: a FrameMaker or a FramePace.
+template <class Shown>
+void runShow(const Rig& rig, const Box3d& worldBounds, Shown& shown, const ViewerOptions& options, Progress& progress)
+{
+    checkOptions(options);
+    checkRig(rig, rig.name);
+    const Rig seen = withoutUnseenChannels(rig);
+    RigShow show(seen, worldBounds, shown, options.windowScale, options.drawThreads, progress);
+    run(show, options);
+    if (!options.screenshotFolder.empty())
+        writePictures(options.screenshotFolder, seen, show.pictures());
+}
+
+void runPreview(const Rig& rig, const Box3d& worldBounds, const FrameMaker& makeFrames, const ViewerOptions& options,
+                Progress& progress)
+{
+    checkOptions(options);
+    checkRig(rig, rig.name);
+    RoomPreview preview(rig, worldBounds, makeFrames, progress);
+    run(preview, options);
+    Rig window;
+    window.windows.emplace_back().name = "preview";
+    if (!options.screenshotFolder.empty())
+        writePictures(options.screenshotFolder, window, {preview.picture()});
+}
+
 } // namespace
 
 void runRigViewer(const Rig& rig, const Box3d& worldBounds, const FrameMaker& makeFrames, const ViewerOptions& options,
                   Progress& progress)
 {
-    checkOptions(options);
-    checkRig(rig, rig.name);
-    if (options.preview) {
-        RoomPreview preview(rig, worldBounds, makeFrames, progress);
-        run(preview, options);
-        Rig window;
-        window.windows.emplace_back().name = "preview";
-        if (!options.screenshotFolder.empty())
-            writePictures(options.screenshotFolder, window, {preview.picture()});
-        return;
-    }
-    const Rig shown = withoutUnseenChannels(rig);
-    RigShow show(shown, worldBounds, makeFrames, options.windowScale, options.drawThreads, progress);
-    runShow(show, shown, options);
+    if (options.preview)
+        runPreview(rig, worldBounds, makeFrames, options, progress);
+    else
+        runShow(rig, worldBounds, makeFrames, options, progress);
 }
 
 void viewScene(const Scene& scene, const Rig& rig, const RenderSettings& settings, const ViewerOptions& options,
@@ -102,14 +130,14 @@ void viewScene(const Scene& scene, const Rig& rig, const RenderSettings& setting
                                              Progress& rendering) {
         return renderer.render(scaledViews(views, levers), withLevers(settings, levers), rendering);
     };
-    FramePace pace(makeFrames, leversOf(settings), options.fps);
+    const FrameWorkMeter meter = [&](std::span<const View> views, Progress& rendering) {
+        return workOf(renderer, views, rendering);
+    };
+    FramePace pace(makeFrames, leversOf(settings), options.fps, meter, samplesAtRest);
     if (options.preview || !options.fps)
-        return runRigViewer(rig, bounds, pace.finished(), options, progress);
-    checkOptions(options);
-    checkRig(rig, rig.name);
-    const Rig shown = withoutUnseenChannels(rig);
-    RigShow show(shown, bounds, pace, options.windowScale, options.drawThreads, progress);
-    runShow(show, shown, options);
+        runRigViewer(rig, bounds, pace.finished(), options, progress);
+    else
+        runShow(rig, bounds, pace, options, progress);
 }
 
 Box3d worldBounds(const Scene& scene)

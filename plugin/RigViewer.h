@@ -17,7 +17,8 @@ namespace brickwall {
 
 struct ViewerOptions
 {
-    /// Draw this many frames, each with its rendering completed, then return; 0: until the user quits.
+    /// Draw this many frames, each with its rendering completed, then return; 0: until the user quits. After the
+    /// flight, if there is one.
     int frames = 0;
     /// Where a picture of every window, as it is after the last of `frames`, is put: WINDOW.png, and WINDOW-right.png
     /// for the right buffer of quad-buffered ones. The folder is made. Empty: no pictures.

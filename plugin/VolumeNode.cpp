@@ -51,7 +51,7 @@ VolumeNode::~VolumeNode() = default;
 
 void VolumeNode::load(const SceneOptions& options, Progress& progress)
 {
-    std::shared_ptr<const VolumeData> data = readVolume(options, progress);
+    std::shared_ptr<const VolumeData> data = readVolume(withColorField(options, transferFunction_), progress);
     options_ = options;
     ++dataStamp_;
     showData(std::move(data));

@@ -51,10 +51,15 @@ public:
     const SceneOptions& options() const { return options_; }
 
     void setField(const std::string& name);
+    /// The field whose values say in which colour volume, surfaces and planes are, and over which range of them (empty:
+    /// one that fits the data). An empty name: the field itself.
+    void setColorField(const std::string& name, const Range& range = {});
     void setIsoValues(const std::vector<double>& values);
     void setTolerance(double tolerance); ///< of the method bounded
     void setShading(Shading shading);
-    /// Instead of that of the options, at once, with nothing to read; without a value: that of the options again.
+    /// Instead of that of the options, at once, with nothing to read unless its colours are of a field that is not
+    /// there yet; without a value: that of the options again. transferFunctionOf, readTransferFunction and toJson
+    /// (TransferFunctionFile.h) are its file.
     void setTransferFunction(std::optional<TransferFunction> tf);
     const std::optional<TransferFunction>& transferFunction() const { return transferFunction_; }
 
@@ -71,6 +76,8 @@ public:
     void setPlanes(const std::vector<Plane>& planes, double opacity = 1.0);
     void setClip(const ClipRegion& region);
     void setLight(const std::optional<Light>& light);
+    void setSpecular(const Specular& specular);
+    void setAmbientOcclusion(const std::optional<AmbientOcclusion>& occlusion);
 
     /// Opaque geometry that the renderer is to know, whatever draws it: rays end at it in every picture, at once, also
     /// in cameras whose depth is not read, and it casts shadows if there is a light. `scene` is in the node's own

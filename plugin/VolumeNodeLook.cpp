@@ -39,6 +39,16 @@ void VolumeNode::setField(const std::string& name)
     setOptions(options);
 }
 
+void VolumeNode::setColorField(const std::string& name, const Range& range)
+{
+    SceneOptions options = options_;
+    options.colorField = name;
+    options.colorRange.clear();
+    if (!name.empty() && !range.empty())
+        options.colorRange = {range.lo, range.hi};
+    setOptions(options);
+}
+
 void VolumeNode::setIsoValues(const std::vector<double>& values)
 {
     SceneOptions options = options_;
@@ -64,6 +74,8 @@ void VolumeNode::setTransferFunction(std::optional<TransferFunction> tf)
 {
     if (tf)
         checkTransferFunction(*tf, "transfer function");
+    if (needsReading(withColorField(options_, transferFunction_), withColorField(options_, tf)))
+        ++dataStamp_;
     transferFunction_ = std::move(tf);
     ++lookStamp_;
 }
@@ -101,6 +113,22 @@ void VolumeNode::setLight(const std::optional<Light>& light)
         options.ambient = light->ambient;
         options.lightTolerance = light->tolerance;
     }
+    setOptions(options);
+}
+
+void VolumeNode::setSpecular(const Specular& specular)
+{
+    SceneOptions options = options_;
+    options.specular = specular.strength;
+    options.shininess = specular.strength > 0.0f ? specular.shininess : SceneOptions().shininess;
+    setOptions(options);
+}
+
+void VolumeNode::setAmbientOcclusion(const std::optional<AmbientOcclusion>& occlusion)
+{
+    SceneOptions options = options_;
+    options.ambientOcclusion = occlusion ? occlusion->distance : SceneOptions().ambientOcclusion;
+    options.ambientOcclusionRays = occlusion ? occlusion->rays : SceneOptions().ambientOcclusionRays;
     setOptions(options);
 }
 

@@ -11,6 +11,16 @@ std::shared_ptr<const VolumeData> readVolume(const SceneOptions& options, Progre
     return std::make_shared<VolumeData>(VolumeData{options, prepareScene(options, executor, progress)});
 }
 
+SceneOptions withColorField(const SceneOptions& options, const std::optional<TransferFunction>& tf)
+{
+    SceneOptions changed = options;
+    if (tf && tf->colorField && tf->colorField->name != options.colorField) {
+        changed.colorField = tf->colorField->name;
+        changed.colorRange.clear();
+    }
+    return changed;
+}
+
 bool needsReading(const SceneOptions& a, const SceneOptions& b)
 {
     SceneOptions asRead = a; // what Renderer takes as it comes
@@ -21,6 +31,10 @@ bool needsReading(const SceneOptions& a, const SceneOptions& b)
     asRead.light = b.light;
     asRead.ambient = b.ambient;
     asRead.lightTolerance = b.lightTolerance;
+    asRead.specular = b.specular;
+    asRead.shininess = b.shininess;
+    asRead.ambientOcclusion = b.ambientOcclusion;
+    asRead.ambientOcclusionRays = b.ambientOcclusionRays;
     asRead.planes = b.planes;
     asRead.planeOpacity = b.planeOpacity;
     asRead.clipPlanes = b.clipPlanes;
@@ -47,8 +61,9 @@ void VolumeRenderer::take(const VolumeLook& look, Progress& progress)
 {
     stamp_.reset(); // unless all of it succeeds
     const bool fromProgram = look.options.data.empty();
-    if (!fromProgram && needsReading(data_->options, look.options)) {
-        data_ = readVolume(look.options, progress);
+    const SceneOptions options = withColorField(look.options, look.transferFunction);
+    if (!fromProgram && needsReading(data_->options, options)) {
+        data_ = readVolume(options, progress);
         renderer_.reset();
     }
     Scene scene = data_->prepared.scene; // what is large in it is shared

@@ -20,6 +20,10 @@ struct VolumeData
 /// Throws Error for what cannot be read, and Cancelled.
 std::shared_ptr<const VolumeData> readVolume(const SceneOptions& options, Progress& progress);
 
+/// The options to read data with that are shown with a transfer function of their own: with its colour field, if it has
+/// one.
+SceneOptions withColorField(const SceneOptions& options, const std::optional<TransferFunction>& tf);
+
 /// Whether data read with `a` do not serve `b`: another field, or a transfer function that is made from the data.
 bool needsReading(const SceneOptions& a, const SceneOptions& b);
 

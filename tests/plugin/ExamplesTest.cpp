@@ -62,6 +62,9 @@ TEST(Examples, NodesInAnOsgViewer)
     EXPECT_GT(coloursOf(node), 100);
     EXPECT_GT(coloursOf(model), 100);
     EXPECT_NE(readPng(node).rgba, readPng(model).rgba);
+    const std::string lines = scratchFile("lines.png");
+    runExample("8_streamlines", "--frames 3 --out " + lines);
+    EXPECT_NE(readPng(node).rgba, readPng(lines).rgba);
 }
 
 TEST(Examples, TheVirtualCave)

@@ -12,10 +12,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <mutex>
+#include <optional>
+#include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace brickwall::test {
 namespace {
@@ -23,12 +28,14 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
+constexpr int samplesPerPixel = 3;
 const Box3d unitBox{vec3d(-1.0), vec3d(1.0)};
 
 /// A renderer that takes its time: so long at the finest setting, less as the levers say.
 struct SlowRenderer
 {
-    double finestSeconds = 0.4;
+    std::atomic<double> finestSeconds = 0.4;
+    std::atomic<double> endlessAbove = 1.0; ///< logarithm of the levers' factor
     FrameCost cost{leversForTolerance(1.0 / 255.0)};
     std::mutex mutex;
     std::vector<FrameLevers> begun, completed;
@@ -40,8 +47,9 @@ struct SlowRenderer
                 const std::lock_guard lock(mutex);
                 begun.push_back(levers);
             }
-            const auto end =
-                Clock::now() + std::chrono::duration<double>(finestSeconds * std::exp(cost.logFactor(levers)));
+            const double factor = cost.logFactor(levers);
+            const double seconds = factor > endlessAbove ? 60.0 : finestSeconds * std::exp(factor);
+            const auto end = Clock::now() + std::chrono::duration<double>(seconds);
             while (Clock::now() < end) {
                 progress.check();
                 std::this_thread::sleep_for(1ms);
@@ -64,58 +72,74 @@ struct SlowRenderer
         const std::lock_guard lock(mutex);
         return std::exchange(completed, {});
     }
+    bool hasCompleted()
+    {
+        const std::lock_guard lock(mutex);
+        return !completed.empty();
+    }
 };
 
-void moveFor(RigShow& show, std::chrono::milliseconds time)
+/// A window on a corner, at 10 frames per second.
+class FramePaceShow : public ::testing::Test
 {
-    for (const auto end = Clock::now() + time; Clock::now() < end; std::this_thread::sleep_for(2ms)) {
-        show.navigation().rotateData(vec3d(0.0, 0.0, 1.0), 0.01);
-        show.step();
+protected:
+    void SetUp() override
+    {
+        BRICKWALL_NEEDS_DISPLAY();
+        show.emplace(rig, unitBox, pace, 1.0, false, progress);
     }
-}
+    void move(double angle) { show->navigation().rotateData(vec3d(0.0, 0.0, 1.0), angle); }
+    void moveFor(std::chrono::milliseconds time)
+    {
+        for (const auto end = Clock::now() + time; Clock::now() < end; std::this_thread::sleep_for(2ms)) {
+            move(0.01);
+            show->step();
+        }
+    }
+    void restFor(std::chrono::milliseconds time)
+    {
+        for (const auto end = Clock::now() + time; Clock::now() < end && !pace.refined();
+             std::this_thread::sleep_for(2ms))
+            show->step();
+    }
 
-TEST(FramePace, WhatMovesIsHeldAndWhatRestsIsRefinedAndThenCostsNothing)
-{
-    BRICKWALL_NEEDS_DISPLAY();
     SlowRenderer renderer;
-    FramePace pace(renderer.maker(), renderer.cost.table(), 10.0);
+    FramePace pace{renderer.maker(), renderer.cost.table(), 10.0, {}, samplesPerPixel};
     Progress progress;
     const Rig rig = cornerRig(48, 48);
-    RigShow show(rig, unitBox, pace, 1.0, false, progress);
-    moveFor(show, 3s);
+    std::optional<RigShow> show;
+};
+
+TEST_F(FramePaceShow, WhatMovesIsHeldAndWhatRestsIsRefinedAndThenCostsNothing)
+{
+    moveFor(3s);
     const double held = renderer.finestSeconds * std::exp(renderer.cost.logFactor(renderer.takeCompleted().back()));
     EXPECT_NEAR(held, 0.1, 0.04);
     EXPECT_FALSE(pace.refined());
 
-    for (const auto end = Clock::now() + 5s; Clock::now() < end && !pace.refined(); std::this_thread::sleep_for(2ms))
-        show.step();
+    restFor(20s);
     EXPECT_TRUE(pace.refined());
     const std::vector<FrameLevers> refinements = renderer.takeCompleted();
-    EXPECT_LE(refinements.size(), 5u);
+    EXPECT_LE(refinements.size(), 4u + samplesPerPixel);
+    EXPECT_EQ(std::count(refinements.begin(), refinements.end(), renderer.cost.finest()), samplesPerPixel);
     for (std::size_t i = 1; i < refinements.size(); ++i)
         EXPECT_GE(renderer.cost.logFactor(refinements[i]), renderer.cost.logFactor(refinements[i - 1]));
-    EXPECT_EQ(refinements.back(), renderer.cost.finest());
+    EXPECT_NE(pace.status().find("3 samples per pixel"), std::string::npos) << pace.status();
 
     renderer.takeBegun();
     for (int i = 0; i < 50; ++i, std::this_thread::sleep_for(2ms))
-        show.step();
+        show->step();
     EXPECT_TRUE(renderer.takeBegun().empty());
 }
 
-TEST(FramePace, AMovementBreaksARefinementOffAndIsAnsweredAsAccuratelyAsBefore)
+TEST_F(FramePaceShow, AMovementBreaksARefinementOffAndIsAnsweredAsAccuratelyAsBefore)
 {
-    BRICKWALL_NEEDS_DISPLAY();
-    SlowRenderer renderer;
-    FramePace pace(renderer.maker(), renderer.cost.table(), 10.0);
-    Progress progress;
-    const Rig rig = cornerRig(48, 48);
-    RigShow show(rig, unitBox, pace, 1.0, false, progress);
-    moveFor(show, 2s);
+    moveFor(2s);
     while (!pace.refined())
-        show.step();
-    moveFor(show, 300ms);
+        show->step();
+    moveFor(300ms);
     const FrameLevers moving = renderer.takeCompleted().back();
-    renderer.finestSeconds = 60.0; // nobody waits for what rests
+    renderer.endlessAbove = renderer.cost.logFactor(moving) + 1e-9; // nobody waits for what rests
     renderer.takeBegun();
     const auto refines = [&] {
         const std::lock_guard lock(renderer.mutex);
@@ -123,15 +147,44 @@ TEST(FramePace, AMovementBreaksARefinementOffAndIsAnsweredAsAccuratelyAsBefore)
                renderer.cost.logFactor(renderer.begun.back()) > renderer.cost.logFactor(moving);
     };
     while (!refines())
-        show.step();
-    renderer.finestSeconds = 0.1;
+        show->step();
     renderer.takeCompleted();
     const auto start = Clock::now();
-    show.navigation().rotateData(vec3d(0.0, 0.0, 1.0), 0.3);
-    while (renderer.completed.empty() && Clock::now() - start < 20s)
-        show.step();
+    move(0.3);
+    while (!renderer.hasCompleted() && Clock::now() - start < 20s)
+        show->step();
     EXPECT_LT(Clock::now() - start, 10s) << "it was waited for";
     EXPECT_EQ(renderer.takeCompleted().front(), moving);
+}
+
+TEST(FramePace, WhatRestsIsTheMeanOfAllItsSamplesAndAnotherPoseHasNothingOfIt)
+{
+    std::vector<View> asked;
+    const LeveredFrameMaker make = [&](std::span<const View> views, const FrameLevers&, Progress&) {
+        asked.assign(views.begin(), views.end());
+        std::vector<Frame> frames{emptyFrame(views[0])};
+        std::fill(frames[0].color.begin(), frames[0].color.end(), vec4f(float(views[0].lowerLeft.x)));
+        return frames;
+    };
+    View view = viewOfCamera("view", {0.0, 0.0, 5.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 40.0, 4, 4, 1.0, 10.0);
+    Progress progress;
+    FramePace pace(make, leversForTolerance(1.0 / 255.0), 20.0, {}, samplesPerPixel);
+    pace.moving()({&view, 1}, progress);
+    EXPECT_FALSE(pace.refined());
+    double sum = 0.0;
+    for (int n = 1; n <= samplesPerPixel; ++n) {
+        const std::vector<Frame> frames = pace.resting()({&view, 1}, progress);
+        sum += asked[0].lowerLeft.x;
+        EXPECT_NEAR(frames[0].color[0].r, sum / n, 1e-6);
+        EXPECT_EQ(frames[0].view.lowerLeft, view.lowerLeft) << "it is shown as the frame of the view itself";
+        EXPECT_EQ(pace.refined(), n == samplesPerPixel);
+    }
+    for (vec3d* corner : {&view.lowerLeft, &view.lowerRight, &view.upperRight})
+        corner->x += 0.5;
+    EXPECT_NEAR(pace.resting()({&view, 1}, progress)[0].color[0].r, view.lowerLeft.x, 1e-6);
+    EXPECT_FALSE(pace.refined());
+    pace.moving()({&view, 1}, progress);
+    EXPECT_NEAR(pace.resting()({&view, 1}, progress)[0].color[0].r, view.lowerLeft.x, 1e-6) << "it has moved";
 }
 
 TEST(FramePace, OffRendersEverythingAsTheUserWants)
@@ -177,11 +230,12 @@ TEST(FramePace, RefiningChangesTheBrightnessOfThePictureByNoVisibleStep)
         RenderSettings settings;
         settings.method = method;
         std::vector<double> brightness;
+        const FrameCost slowMachine(leversOf(settings)); // the same one whatever this one does
         const LeveredFrameMaker make = [&](std::span<const View> views, const FrameLevers& levers, Progress&) {
             std::vector<Frame> frames{renderOne(scene, scaledViews(views, levers)[0], withLevers(settings, levers))};
             brightness.push_back(brightnessOf(frames[0]));
-            if (brightness.size() < 4) // it seems to be a slow machine
-                std::this_thread::sleep_for(300ms);
+            if (brightness.size() < 4)
+                std::this_thread::sleep_for(800ms * std::exp(slowMachine.logFactor(levers)));
             return frames;
         };
         Progress progress;

@@ -4,6 +4,7 @@
 #include "OpaqueBoxes.h"
 #include "TestDisplay.h"
 
+#include "brickwall/core/shade/Srgb.h"
 #include "brickwall/plugin/NodeTriangles.h"
 #include "brickwall/plugin/OsgConversions.h"
 
@@ -13,6 +14,7 @@
 #include <osg/ShapeDrawable>
 #include <osg/Switch>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -124,6 +126,36 @@ TEST(TrianglesOfNode, WithoutAnAreaOrWithANaNAreLeftOut)
     const std::vector<TriangleMesh> meshes = trianglesOf(*drawn(bad));
     ASSERT_EQ(meshes.size(), 1u);
     EXPECT_EQ(meshes[0].triangles.size(), 1u);
+}
+
+TEST(GeometryOfTriangles, HasTheTrianglesTheColourAsDisplayedAndSmoothNormals)
+{
+    TriangleMesh cube = boxAt(inside);
+    cube.color = {0.2f, 0.5f, 1.0f};
+    const osg::ref_ptr<osg::Geometry> geometry = geometryOf(cube);
+    const std::vector<TriangleMesh> back = trianglesOf(*geometry);
+    ASSERT_EQ(back.size(), 1u);
+    EXPECT_EQ(back[0].triangles.size(), cube.triangles.size());
+    Box3d want, found;
+    for (const vec3f& v : cube.vertices)
+        want.extend(vec3d(v));
+    for (const vec3f& v : back[0].vertices)
+        found.extend(vec3d(v));
+    EXPECT_EQ(found, want);
+    const osg::Vec4& color = static_cast<const osg::Vec4Array&>(*geometry->getColorArray())[0];
+    EXPECT_NEAR(color.g(), srgbFromLinear(0.5f), 1e-6);
+    // A box has edges: the normals at a triangle's corners are that of its plane.
+    const auto& vertices = static_cast<const osg::Vec3Array&>(*geometry->getVertexArray());
+    const auto& normals = static_cast<const osg::Vec3Array&>(*geometry->getNormalArray());
+    const osg::PrimitiveSet& corners = *geometry->getPrimitiveSet(0);
+    ASSERT_EQ(corners.getNumIndices(), 3 * cube.triangles.size());
+    for (unsigned i = 0; i < corners.getNumIndices(); i += 3) {
+        const osg::Vec3& a = vertices[corners.index(i)];
+        osg::Vec3 normal = (vertices[corners.index(i + 1)] - a) ^ (vertices[corners.index(i + 2)] - a);
+        normal.normalize();
+        for (unsigned corner = 0; corner < 3; ++corner)
+            EXPECT_GT(normals[corners.index(i + corner)] * normal, 0.99999f) << i;
+    }
 }
 
 TEST(TrianglesOfNode, AreThoseThatAreDrawnInTheCoordinatesAroundIt)

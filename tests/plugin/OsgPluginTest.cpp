@@ -78,14 +78,16 @@ TEST(OsgPlugin, ComposesWithOtherModels)
 TEST(OsgPlugin, OsgtHasTheNameAndThePropertiesAndNotTheCells)
 {
     BRICKWALL_NEEDS_OSGVIEWER();
-    const HostScene scene("iso=0.5 volume=off light=1,2,3 plane=0,0,1,0");
+    const HostScene scene("color-field=pressure iso=0.5 volume=off light=1,2,3 plane=0,0,1,0");
     const std::string text = scratchFile("a.osgt"), binary = scratchFile("b.osgb"), again = scratchFile("c.osgt");
-    convert("-O \"iso=0.5 volume=off light=1,2,3 plane=0,0,1,0\" " + scene.file + " " + text);
+    convert("-O \"color-field=pressure iso=0.5 volume=off light=1,2,3 plane=0,0,1,0\" " + scene.file + " " + text);
     ASSERT_TRUE(fs::exists(text));
     EXPECT_LT(fs::file_size(text), 4096u);
     EXPECT_NE(contentOf(text).find("brickwall::VolumeNode"), std::string::npos);
     EXPECT_NE(contentOf(text).find("sample:wake:60k"), std::string::npos);
-    EXPECT_NE(contentOf(text).find("volume=off iso=0.5 light=1,2,3 plane=0,0,1,0"), std::string::npos) << contentOf(text);
+    EXPECT_NE(contentOf(text).find("color-field=pressure volume=off iso=0.5 light=1,2,3 plane=0,0,1,0"),
+              std::string::npos)
+        << contentOf(text);
     convert(text + " " + binary);
     convert(binary + " " + again);
     EXPECT_EQ(contentOf(again), contentOf(text));

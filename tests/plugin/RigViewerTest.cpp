@@ -9,12 +9,15 @@
 #include "brickwall/tests/common/ScratchFolder.h"
 #include "brickwall/tests/render/RenderScenes.h"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
+#include <optional>
 #include <thread>
 
 namespace brickwall::test {
@@ -38,6 +41,46 @@ void expectSame(const Image& found, const Image& expected)
     for (std::size_t i = 0; i < expected.rgba.size(); ++i)
         largest = std::max(largest, std::abs(int(found.rgba[i]) - int(expected.rgba[i])));
     EXPECT_LE(largest, 2);
+}
+
+TEST(RigViewer, AFlightMovesTheDataAndEndsWithAPictureOfItsLastPlace)
+{
+    BRICKWALL_NEEDS_DISPLAY();
+    const std::string folder = scratchFile("landed");
+    const auto bricks = cubeOfBricks(vec3i(0), 16, 8);
+    const Scene scene =
+        sceneOf(numbered(bricks), fieldOf(bricks, [](const vec3d& p) { return p.x; }), colorful({0.0f, 16.0f}));
+    const Rig rig = deskRig(240, 240);
+    const mat4d first = glm::inverse(worldFromRoom(rig, vec3d(0.0), vec3d(16.0)));
+    const mat4d last = first * glm::rotate(mat4d(1.0), 1.0, vec3d(0.0, 0.0, 1.0));
+    ViewerOptions options;
+    options.frames = 1;
+    options.screenshotFolder = folder;
+    options.fps = 20.0;
+    int asked = 0;
+    options.flight = [&, landed = false](double seconds) mutable -> std::optional<mat4d> {
+        ++asked;
+        if (landed)
+            return std::nullopt;
+        landed = seconds >= 0.4;
+        return landed ? last : first * glm::rotate(mat4d(1.0), seconds, vec3d(0.0, 0.0, 1.0));
+    };
+    Progress silent;
+    viewScene(scene, rig, {}, options, silent);
+    EXPECT_GT(asked, 2);
+
+    const Executor executor(1);
+    const View view = viewsOfRig(rig, glm::inverse(last)).views.at(0).view;
+    const Image expected = imageOver(Renderer(scene, executor).render({&view, 1}, {}, silent).front(), rig.background);
+    const Image found = readPng(folder + "/main.png");
+    ASSERT_EQ(found.rgba.size(), expected.rgba.size());
+    int halves[2] = {0, 0}; // one of them has the text about the frame rate
+    for (std::size_t i = 0; i < expected.rgba.size(); ++i) {
+        int& largest = halves[2 * i / expected.rgba.size()];
+        largest = std::max(largest, std::abs(int(found.rgba[i]) - int(expected.rgba[i])));
+    }
+    EXPECT_LE(std::min(halves[0], halves[1]), 2)
+        << "as accurate as the user wants it, and nothing of a frame that moved";
 }
 
 TEST(RigViewer, WritesAPictureOfEveryWindow)

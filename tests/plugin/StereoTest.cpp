@@ -82,8 +82,8 @@ TEST(Stereo, VerticalSplitHasTheLeftEyeInTheUpperHalf)
 TEST(Stereo, PassiveModesShowTheirEye)
 {
     BRICKWALL_NEEDS_DISPLAY();
-    for (const auto& [mode, eye] : {std::pair(StereoMode::left, Eye::left), std::pair(StereoMode::right, Eye::right)}) {
-        const Rig rig = deskRig(width, height, mode);
+    for (const Eye eye : {Eye::left, Eye::right}) {
+        const Rig rig = deskRig(width, height, eye == Eye::left ? StereoMode::left : StereoMode::right);
         ShownRig shown(rig);
         EXPECT_NEAR(shown.frameOf(0, eye).view.eye.x, eye == Eye::left ? -0.032 : 0.032, 1e-12);
         expectPicture(*shown.drawOne(), {0, 0, width, height},

@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <memory>
+#include <thread>
+
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -78,8 +81,11 @@ XServer::~XServer()
 {
     if (pid_ <= 0)
         return;
-    kill(pid_, SIGTERM);
-    waitpid(pid_, nullptr, 0);
+    // A server that has just said that it is ready may forget what it was told before its main loop: tell it again.
+    do {
+        kill(pid_, SIGTERM);
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    } while (waitpid(pid_, nullptr, WNOHANG) == 0);
 }
 
 const std::string& whyNoDisplay()

@@ -60,18 +60,15 @@ std::vector<Frame> patternFrames(std::span<const View> views, Progress&)
 
 Frame patternFrame(const View& view, int seed, float depth)
 {
-    Frame frame;
-    frame.view = view;
-    frame.width = view.window.width;
-    frame.height = view.window.height;
+    Frame frame = emptyFrame(view);
     for (int y = 0; y < frame.height; ++y) {
         for (int x = 0; x < frame.width; ++x) {
             const float u = (x + 0.5f) / frame.width, v = (y + 0.5f) / frame.height;
             const float alpha = std::clamp(1.5f - 1.8f * u, 0.0f, 1.0f);
             const bool mark = u > 0.1f && u < 0.2f && v > 0.1f && v < 0.3f;
             const vec3f color = mark ? vec3f(1.0f) : vec3f(u, v * v, seed % 2 ? 0.9f : 0.1f);
-            frame.color.emplace_back(color * alpha, alpha);
-            frame.depth.push_back(alpha > 0.0f ? depth : 1.0f);
+            frame.color[frame.index(x, y)] = vec4f(color * alpha, alpha);
+            frame.depth[frame.index(x, y)] = alpha > 0.0f ? depth : 1.0f;
         }
     }
     return frame;

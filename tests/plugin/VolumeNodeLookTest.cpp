@@ -60,13 +60,17 @@ TEST(VolumeNode, PlanesClipAndLightAreChangedWithoutReading)
     node->setPlanes({{{0, 0, 1}, 0.0}, {{1, 0, 0}, 1.0}}, 0.7);
     node->setClip(clip);
     node->setLight(Light{{0.2, 1.0, 0.5}, 0.3f});
-    EXPECT_EQ(node->lookStamp(), look + 3);
+    node->setSpecular({0.5f, 8.0f});
+    node->setAmbientOcclusion(AmbientOcclusion{1.5, 4});
+    EXPECT_EQ(node->lookStamp(), look + 5);
     EXPECT_EQ(node->dataStamp(), data);
     Scene scene = prepareScene(options, Executor(1), silent).scene;
     scene.planes = {{{{0, 0, 1}, 0.0}, 0.7f}, {{{1, 0, 0}, 1.0}, 0.7f}};
     scene.clip = clip;
     RenderSettings settings;
     settings.light = Light{{0.2, 1.0, 0.5}, 0.3f};
+    settings.specular = {0.5f, 8.0f};
+    settings.ambientOcclusion = AmbientOcclusion{1.5, 4};
     const auto expectShown = [&] {
         shown.settle(*node);
         const Frame frame = renderOne(scene, shown.view(nodeFromModel), settings);
@@ -76,10 +80,60 @@ TEST(VolumeNode, PlanesClipAndLightAreChangedWithoutReading)
     node->setPlanes({});
     node->setClip({});
     node->setLight({});
+    node->setSpecular({});
+    node->setAmbientOcclusion({});
     scene.planes.clear();
     scene.clip = {};
     settings.light.reset();
+    settings.specular = {};
+    settings.ambientOcclusion.reset();
     expectShown();
+}
+
+TEST(VolumeNode, HasColoursOfAnotherFieldByAPropertyOrByItsTransferFunction)
+{
+    BRICKWALL_NEEDS_DISPLAY();
+    SceneOptions options;
+    options.data = "sample:wake:60k";
+    options.iso = {0.7};
+    options.volume = "off";
+    Progress silent;
+    const osg::ref_ptr<VolumeNode> node = new VolumeNode;
+    node->load(options, silent);
+    const osg::BoundingSphere bounds = node->getBound();
+    const osg::Matrixd nodeFromModel =
+        osg::Matrixd::translate(-bounds.center()) * osg::Matrixd::scale(osg::Vec3d(1, 1, 1) * (3.0 / bounds.radius()));
+    node->setTransform(nodeFromModel);
+    NodeViewer shown(node);
+    shown.settle(*node);
+    const unsigned data = node->dataStamp(), look = node->lookStamp();
+    const auto expectShown = [&](const Scene& scene) {
+        shown.settle(*node);
+        const Frame frame = renderOne(scene, shown.view(nodeFromModel), {});
+        expectPicture(*shown.picture(), whole, [&](int x, int y) { return composed(frame, x, y, shown.background()); });
+    };
+    node->setColorField("pressure", {-0.4f, 0.4f});
+    EXPECT_EQ(node->dataStamp(), data + 1) << "another field is read";
+    EXPECT_EQ(node->lookStamp(), look + 1);
+    options.colorField = "pressure";
+    options.colorRange = {-0.4f, 0.4f};
+    const Scene scene = prepareScene(options, Executor(1), silent).scene;
+    ASSERT_TRUE(scene.colorField);
+    expectShown(scene);
+
+    TransferFunction tf = scene.transferFunction;
+    tf.colorField->range = {-0.2f, 0.1f};
+    node->setTransferFunction(tf);
+    EXPECT_EQ(node->dataStamp(), data + 1) << "this field is there";
+    Scene other = scene;
+    other.transferFunction = tf;
+    expectShown(other);
+
+    node->setTransferFunction({});
+    node->setColorField("");
+    node->setTransferFunction(tf);
+    expectShown(other);
+    EXPECT_NE(errorOf([&] { node->setColorField("pressure", {1.0f, 1.0f}); }), "");
 }
 
 } // namespace

@@ -61,10 +61,7 @@ Card gradientCard(double y)
 
 Frame frameOf(const View& view, const std::vector<Card>& cards)
 {
-    Frame frame;
-    frame.view = view;
-    frame.width = view.window.width;
-    frame.height = view.window.height;
+    Frame frame = emptyFrame(view);
     for (int y = 0; y < frame.height; ++y) {
         for (int x = 0; x < frame.width; ++x) {
             const vec3d direction = rayDirection(view, view.window.x + x, view.window.y + y);
@@ -78,8 +75,8 @@ Frame frameOf(const View& view, const std::vector<Card>& cards)
                 color = card.color(point.x, point.z);
                 depth = depthOf(view, point);
             }
-            frame.color.push_back(color);
-            frame.depth.push_back(depth);
+            frame.color[frame.index(x, y)] = color;
+            frame.depth[frame.index(x, y)] = depth;
         }
     }
     return frame;
