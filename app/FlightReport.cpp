@@ -67,7 +67,9 @@ public:
         drawBoth(accuracy, dt);
 
         const Quantity scale = [](const FlightFrame& f) { return double(f.levers.imageEighths); };
-        beginPanel("image scale, eighths", scale, scale);
+        beginPanel("image scale, eighths", 1.8, 9.0);
+        for (int eighths = 2; eighths <= 8; ++eighths)
+            tick({double(eighths), fmt::format("{}", eighths)});
         drawBoth(scale, scale);
 
         const Quantity error = [](const FlightFrame& f) { return f.rmsError.value_or(0.0); };
@@ -86,18 +88,27 @@ private:
         for (const FlightFrame& frame : flown_.earlier)
             values.push_back(earlier(frame));
         const auto [lo, hi] = rangeAround(values);
+        beginPanel(title, lo, std::max(hi, 2.0 * lo));
+        for (const PlotTick& fine : fineTicks(y_))
+            tick(fine);
+    }
+
+    void beginPanel(const std::string& title, double lo, double hi)
+    {
         const double y = top + panel_++ * (panelHeight + panelGap);
-        y_ = {lo, std::max(hi, 2.0 * lo), y + panelHeight, y};
+        y_ = {lo, hi, y + panelHeight, y};
         svg_.text({left, y - 5}, title, {.size = 12});
-        for (const PlotTick& tick : fineTicks(y_)) {
-            svg_.line({left, y_.at(tick.value)}, {left + panelWidth, y_.at(tick.value)}, {.color = "#e8e8e8"});
-            svg_.text({left - 6, y_.at(tick.value) + 4}, tick.label, {.size = 10, .anchor = "end"});
-        }
         for (double t = 0.0; t <= flown_.seconds; t += flown_.seconds > 20.0 ? 5.0 : 1.0) {
             svg_.line({x(t), y}, {x(t), y + panelHeight}, {.color = "#e8e8e8"});
             svg_.text({x(t), y + panelHeight + 14}, fmt::format("{:g}", t), {.size = 10, .anchor = "middle"});
         }
         svg_.rect({left, y}, panelWidth, panelHeight, "none", {.color = "#555555"});
+    }
+
+    void tick(const PlotTick& at)
+    {
+        svg_.line({left, y_.at(at.value)}, {left + panelWidth, y_.at(at.value)}, {.color = "#e8e8e8"});
+        svg_.text({left - 6, y_.at(at.value) + 4}, at.label, {.size = 10, .anchor = "end"});
     }
 
     void drawBoth(const Quantity& held, const Quantity& earlier)

@@ -1,6 +1,7 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
-/// How far the levers of the frame time reach on large data, and what error that costs: one view of the data set that
-/// the environment variable BRICKWALL_LARGE names, from the finest setting to the coarsest. Errors are
+/// Large data, which the environment variable BRICKWALL_LARGE names. What a new transfer function or isovalue takes;
+/// how far the levers of the frame time reach, from the finest setting to the coarsest of one view, and what error that
+/// costs. Errors are
 /// against `bounded` at a third of the finest tolerance; smaller pictures are brought to the size of the others
 /// bilinearly.
 #include "brickwall/core/base/Median.h"
@@ -150,6 +151,35 @@ void levers(benchmark::State& state)
     }
 }
 BENCHMARK(levers)->Unit(benchmark::kMillisecond)->Iterations(1);
+
+/// With a pyramid, whose members change as well: between the default and one that is a tenth less opaque.
+void newTransferFunction(benchmark::State& state)
+{
+    if (!large())
+        return state.SkipWithError("BRICKWALL_LARGE names no data set");
+    const TransferFunction before = large()->renderer->scene().transferFunction;
+    TransferFunction other = before;
+    other.opacityScale *= 0.9f;
+    bool changed = false;
+    for (auto _ : state)
+        large()->renderer->setTransferFunction((changed = !changed) ? other : before);
+    large()->renderer->setTransferFunction(before);
+}
+BENCHMARK(newTransferFunction)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void newIsovalue(benchmark::State& state)
+{
+    if (!large())
+        return state.SkipWithError("BRICKWALL_LARGE names no data set");
+    const Range range = large()->renderer->scene().field->range;
+    float part = 0.4f;
+    for (auto _ : state) {
+        part = part > 0.5f ? 0.4f : part + 0.01f;
+        large()->renderer->setSurfaces({{.value = range.lo + part * (range.hi - range.lo)}});
+    }
+    large()->renderer->setSurfaces({});
+}
+BENCHMARK(newIsovalue)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 } // namespace
 } // namespace brickwall::bench
