@@ -14,7 +14,7 @@
 namespace brickwall::bench {
 namespace {
 
-constexpr int pixels = 256;
+constexpr int pixels = 512;
 constexpr float dt = 0.5f;
 
 double seconds(clockid_t clock)

@@ -99,7 +99,7 @@ HWY_INLINE TurnsN turnsOf(const TransferIntegralLookup& colors, const ColorPlace
 /// - The mean over values is that along the ray as far as these are evenly spread (`misplaced` in Parts.h); a step may
 ///   be anywhere.
 /// - What the field does beyond the values at the ends, as far as the enclosure lets it, is not in that mean.
-HWY_INLINE FloatN tint(const TransferIntegralLookup& colors, const PlaceN& a, const PlaceN& b, const ColorPlaceN& ca,
+HWY_NOINLINE inline FloatN tint(const TransferIntegralLookup& colors, const PlaceN& a, const PlaceN& b, const ColorPlaceN& ca,
                        const ColorPlaceN& cb, const ColorExtentN& extent, FloatN length, SegmentN& segment)
 {
     const QuadN mean = colors.meanBetween(ca.look, cb.look);
@@ -115,7 +115,7 @@ HWY_INLINE FloatN tint(const TransferIntegralLookup& colors, const PlaceN& a, co
 }
 
 /// Where the field hardly changes, rounding of its values decides on which side of a step of the colours a part is.
-HWY_INLINE FloatN tintRounding(const TransferIntegralLookup& colors, MaskN lanes, const ColorPlaceN& a,
+HWY_NOINLINE inline FloatN tintRounding(const TransferIntegralLookup& colors, MaskN lanes, const ColorPlaceN& a,
                                const ColorPlaceN& b, float colorSlope)
 {
     if (!std::isinf(colorSlope))
