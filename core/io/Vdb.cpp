@@ -96,6 +96,8 @@ public:
                          file_.path(), nonFinite, executor, progress);
     }
 
+    std::vector<std::string> files() const override { return {file_.path()}; }
+
 private:
     /// Without wanted fields those of the default one, for the cells.
     std::vector<const VdbArray*> arraysFor(const std::vector<std::size_t>& wanted) const

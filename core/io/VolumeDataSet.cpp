@@ -54,6 +54,13 @@ public:
         return model;
     }
 
+    std::vector<std::string> files() const override
+    {
+        if (volume_.data == volume_.place)
+            return {volume_.place};
+        return {volume_.place, volume_.data};
+    }
+
 private:
     VolumeFile volume_;
 };

@@ -58,6 +58,14 @@ public:
                          progress);
     }
 
+    std::vector<std::string> files() const override
+    {
+        std::vector<std::string> all{levels_.place};
+        for (const auto& pieces : levels_.files)
+            all.insert(all.end(), pieces.begin(), pieces.end());
+        return all;
+    }
+
 private:
     VtkLevels levels_;
 };
