@@ -3,12 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace brickwall {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The cell pairs of one brick around a piece: per axis the lower cell (padded index), and what counts of the two.
 struct CellPairs
@@ -133,14 +130,6 @@ ExactRay::ExactRay(const RayTile& rays, int ray, const vec3i& sceneOrigin)
         dir[axis] = flat[axis] ? 0.0 : 2.0 * direction;
         reciprocal[axis] = flat[axis] ? 0.0 : 1.0 / dir[axis];
     }
-}
-
-double ExactRay::time(int axis, int plane) const
-{
-    const double distance = double(plane - origin[axis]) - org[axis];
-    if (flat[axis])
-        return distance > 0.0 ? infinity : -infinity;
-    return distance * reciprocal[axis];
 }
 
 int ExactRay::nearPlane(const Region& region, int axis) const

@@ -6,6 +6,7 @@
 #include "brickwall/core/trace/TraceTile.h"
 
 #include <array>
+#include <limits>
 
 namespace brickwall {
 
@@ -13,6 +14,8 @@ namespace brickwall {
 /// planes along an axis is an interval of t, and the regions' and pieces' intervals leave neither gaps nor overlaps.
 struct ExactRay
 {
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+
     vec3i origin{0}; ///< half voxels, of the scene
     vec3d org{0.0};  ///< half voxels, relative to `origin`
     vec3d dir{0.0};  ///< half voxels per t
@@ -23,7 +26,13 @@ struct ExactRay
     ExactRay() = default;
     ExactRay(const RayTile& rays, int ray, const vec3i& origin);
 
-    double time(int axis, int plane) const;
+    double time(int axis, int plane) const
+    {
+        const double distance = double(plane - origin[axis]) - org[axis];
+        if (flat[axis])
+            return distance > 0.0 ? infinity : -infinity;
+        return distance * reciprocal[axis];
+    }
     bool backwards(int axis) const { return dir[axis] < 0.0; }
     /// Half voxels, relative to `origin`.
     vec3d at(double t) const { return org + t * dir; }

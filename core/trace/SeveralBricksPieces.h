@@ -61,6 +61,9 @@ public:
         }
     }
 
+    /// What D cannot fall below on the piece.
+    HWY_INLINE FloatN leastWeight() const { return d_.least(); }
+
     HWY_INLINE FloatN least() const { return enclosure(n_, d_).lo; }
     HWY_INLINE FloatN largest() const { return enclosure(n_, d_).hi; }
 

@@ -5,15 +5,51 @@
 
 #include "brickwall/core/trace/OneBrickPieces.h"
 #include "brickwall/core/trace/Packet.h"
+#include "brickwall/core/trace/SeveralBricksPieces.h"
 #include "brickwall/core/trace/SurfaceRay.h"
 #include "brickwall/core/trace/Surfaces.h"
 #include "brickwall/core/trace/WideWalk.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace brickwall::HWY_NAMESPACE {
+
+/// How far B on a piece may be from what its coefficients in floats say.
+struct Margins
+{
+    Margins(const PaddedField& field, std::uint32_t index, const Region& region, FloatN reach)
+    {
+        const Range range = field.regionRanges[index], all = field.range;
+        const FloatN reachInCells = FloatN(4.0f / static_cast<float>(1 << region.finestLevel)) * reach;
+        rounding_ = 2e-6f * std::max(std::abs(range.lo), std::abs(range.hi));
+        change_ = reachInCells * FloatN(range.hi - range.lo);
+        changeBeyond_ = reachInCells * FloatN(all.hi - all.lo);
+        bricks_ = static_cast<float>(region.brickCount);
+    }
+
+    /// A short piece may have been given the cells of a neighbour beyond the region.
+    HWY_INLINE FloatN of(const OneBrickPieces&, MaskN isShort) const
+    {
+        return select(isShort, changeBeyond_, change_) + rounding_;
+    }
+
+    /// Of each brick weight may be moved from cell to cell, which counts the more the less weight there is in all. A
+    /// short piece may have missed the cells of a brick altogether.
+    HWY_INLINE FloatN of(const SeveralBricksPieces& pieces, MaskN isShort) const
+    {
+        const FloatN weight = pieces.leastWeight();
+        const MaskN unknown = isShort | (weight <= FloatN(1e-3f));
+        return select(unknown, std::numeric_limits<float>::infinity(),
+                      (FloatN(2.0f * bricks_) * change_ + rounding_) / select(unknown, 1.0f, weight));
+    }
+
+private:
+    FloatN rounding_, change_, changeBeyond_;
+    float bricks_;
+};
 
 /// The visitor of a walk that finds, in lanes, pieces that may meet a surface and has rays decide, one by one.
 class SurfaceFinder
@@ -36,9 +72,11 @@ public:
         counts.regionsVisited += count(active);
         // Floats see nothing where they cannot tell a small part of a cell.
         const MaskN blind = reach_ > FloatN(0.05f * static_cast<float>(1 << region.finestLevel));
-        const MaskN scanned = region.brickCount == 1 ? andNot(active, blind) : andNot(active, active);
-        search(index, andNot(active, scanned), t0, t1);
-        scan(index, region, scanned, t0, t1);
+        search(index, active & blind, t0, t1);
+        if (region.brickCount == 1)
+            scan<OneBrickPieces>(index, region, andNot(active, blind), t0, t1);
+        else
+            scan<SeveralBricksPieces>(index, region, andNot(active, blind), t0, t1);
         return load(alive_) > FloatN(0.5f);
     }
 
@@ -46,26 +84,22 @@ public:
 
 private:
     /// For every t of a lane's piece, B(t) lies within the piece's coefficients, give or take `margin`: as far as B
-    /// changes over `reach_`, and what rounding makes of values. A short piece may have been given the cells of a
-    /// neighbour beyond the region.
+    /// changes over `reach_`, and what rounding makes of values.
+    template <class Pieces>
     void scan(std::uint32_t index, const Region& region, MaskN active, FloatN t0, FloatN t1)
     {
-        const Range range = scene_.field->regionRanges[index], all = scene_.field->range;
-        const FloatN reachInCells = FloatN(4.0f / static_cast<float>(1 << region.finestLevel)) * reach_;
-        const FloatN rounding = 2e-6f * std::max(std::abs(range.lo), std::abs(range.hi));
-        const FloatN margin = fma(reachInCells, range.hi - range.lo, rounding);
-        const FloatN shortMargin = fma(reachInCells, all.hi - all.lo, rounding);
-        OneBrickPieces pieces(*scene_.regions, region, scene_.field->values.data(), scene_.origin, ray_);
+        const Margins margins(*scene_.field, index, region, reach_);
+        Pieces pieces(*scene_.regions, region, scene_.field->values.data(), scene_.origin, ray_);
         FloatN t = t0;
         while (any(active)) {
             const FloatN end = min(pieces.end(t, reach_), t1);
             pieces.load(t, end);
-            const FloatN m = select(end - t < FloatN(4.0f) * reach_, shortMargin, margin);
+            const FloatN m = margins.of(pieces, end - t < FloatN(4.0f) * reach_);
             const FloatN lo = pieces.least() - m, hi = pieces.largest() + m;
-            MaskN may = hi < lo;
+            MaskN cannot = active; // NaN and infinite margins can
             for (const IsoSurface& surface : surfaces_)
-                may = may | ((lo <= FloatN(surface.value)) & (hi >= FloatN(surface.value)));
-            may = may & active;
+                cannot = cannot & ((lo > FloatN(surface.value)) | (hi < FloatN(surface.value)));
+            const MaskN may = andNot(active, cannot);
             if (any(may)) {
                 search(index, may, t, end);
                 active = active & (load(alive_) > FloatN(0.5f));
