@@ -114,6 +114,16 @@ View viewOf(const BenchScene& scene, int pixels)
                         pixels, 0.01 * extent.x, 1000.0 * extent.x);
 }
 
+std::vector<RayTile> tilesOf(const ViewRays& rays, int pixels)
+{
+    std::vector<RayTile> tiles;
+    TilePixels places;
+    for (int y = 0; y < pixels; y += TilePixels::width)
+        for (int x = 0; x < pixels; x += TilePixels::width)
+            rays.fill(x, y, places, tiles.emplace_back());
+    return tiles;
+}
+
 DenseVolume denseTwin(const BenchScene& scene)
 {
     const Box3d box = scene.voxelBounds();

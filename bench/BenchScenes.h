@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brickwall/bench/Roofline.h"
+#include "brickwall/core/render/RayTiles.h"
 #include "brickwall/core/render/Renderer.h"
 
 #include <cstdint>
@@ -27,6 +28,9 @@ const BenchScene* sceneNamed(const std::string& name);
 
 /// From the side and in front, filling the picture.
 View viewOf(const BenchScene& scene, int pixels);
+
+/// Of a picture so many pixels wide and high.
+std::vector<RayTile> tilesOf(const ViewRays& rays, int pixels);
 
 /// A scene's field on a dense grid over the same box, with as many values as its padded bricks have: as many bytes, and
 /// much the same values along a ray.

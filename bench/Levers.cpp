@@ -4,6 +4,7 @@
 /// costs. Errors are
 /// against `bounded` at a third of the finest tolerance; smaller pictures are brought to the size of the others
 /// bilinearly.
+#include "brickwall/bench/Clock.h"
 #include "brickwall/core/base/Median.h"
 #include "brickwall/core/io/PreparedVolume.h"
 #include "brickwall/core/render/Compare.h"
@@ -18,7 +19,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <ctime>
 #include <memory>
 #include <string>
 #include <utility>
@@ -39,13 +39,6 @@ constexpr std::array settings{Levers{3e-5f, 0.0f, 8},   Levers{1e-4f, 0.0f, 8}, 
                               Levers{1.0f / 255, 0, 8}, Levers{1e-2f, 0.0f, 8}, Levers{3e-2f, 0.0f, 8},
                               Levers{3e-2f, 1.0f, 8},   Levers{3e-2f, 2.0f, 8}, Levers{3e-2f, 2.0f, 6},
                               Levers{3e-2f, 2.0f, 4},   Levers{3e-2f, 2.0f, 2}, Levers{3e-2f, 2.0f, 1}};
-
-double cpuSeconds()
-{
-    timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
-}
 
 /// The blasts, a fifth of the domain, from the side.
 View viewOf(const Box3d& bounds, int width)
@@ -131,21 +124,20 @@ void levers(benchmark::State& state)
 {
     if (!large())
         return state.SkipWithError("BRICKWALL_LARGE names no data set");
-    std::array<std::vector<double>, settings.size()> seconds;
+    std::array<std::vector<double>, settings.size()> times;
     std::array<FrameDifference, settings.size()> errors;
     for (auto _ : state)
         for (std::size_t i = 0; i < settings.size(); ++i) {
-            const double begin = cpuSeconds();
-            const Frame frame = render(*large(), settings[i]);
-            seconds[i].push_back(cpuSeconds() - begin);
+            Frame frame;
+            times[i].push_back(secondsOf(CLOCK_PROCESS_CPUTIME_ID, [&] { frame = render(*large(), settings[i]); }));
             errors[i] = compareFrames(enlarged(frame, large()->reference), large()->reference);
         }
-    const double finest = median(seconds.front());
+    const double finest = median(times.front());
     for (std::size_t i = 0; i < settings.size(); ++i) {
         const std::string name = fmt::format("{:02}:{:.3g}/lod{:g}/{}of8:", i, settings[i].tolerance,
                                              settings[i].cellPixels, settings[i].eighths);
-        state.counters[name + "cpuMs"] = 1e3 * median(seconds[i]);
-        state.counters[name + "faster"] = finest / median(seconds[i]);
+        state.counters[name + "cpuMs"] = 1e3 * median(times[i]);
+        state.counters[name + "faster"] = finest / median(times[i]);
         state.counters[name + "max"] = errors[i].max;
         state.counters[name + "rms"] = errors[i].rms;
     }

@@ -1,6 +1,7 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 /// What it takes to load a field of an AMReX plotfile on all cores, against reading the same bytes by one: that is
 /// "ratio", the median, with the least and the most. Both take turns; the files are in memory after the first turn.
+#include "brickwall/bench/Clock.h"
 #include "brickwall/core/io/AmrexFab.h"
 #include "brickwall/core/io/AmrexLevels.h"
 #include "brickwall/core/io/DataSet.h"
@@ -9,7 +10,6 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
@@ -109,14 +109,6 @@ void readAll(const std::vector<Piece>& pieces)
     benchmark::DoNotOptimize(buffer.data());
 }
 
-template <class Work>
-double seconds(const Work& work)
-{
-    const auto begin = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
 /// state.range(0) is the width of the coarsest level: 128 makes 13 million cells that are not covered, 256 105 million.
 void loadPlotfile(benchmark::State& state, bool floats)
 {
@@ -129,8 +121,8 @@ void loadPlotfile(benchmark::State& state, bool floats)
     std::uint64_t cells = 0;
     readAll(pieces);
     for (auto _ : state) {
-        reads.push_back(seconds([&] { readAll(pieces); }));
-        const double load = seconds([&] {
+        reads.push_back(bench::secondsOf(CLOCK_MONOTONIC, [&] { readAll(pieces); }));
+        const double load = bench::secondsOf(CLOCK_MONOTONIC, [&] {
             const Model model = openDataSet(written.path())->load(wanted, all, silent);
             cells = model.cellCount;
         });

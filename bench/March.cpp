@@ -3,34 +3,18 @@
 /// sides of a comparison take turns, so that whatever slows the machine down hits both: "ratio" is the median of the
 /// turns' ratios, "least" and "most" the ends of the middle half. Rates are per second of processor time, per core.
 #include "brickwall/bench/BenchScenes.h"
-#include "brickwall/core/render/RayTiles.h"
+#include "brickwall/bench/Clock.h"
 #include "brickwall/core/simd/Target.h"
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <ctime>
 
 namespace brickwall::bench {
 namespace {
 
 constexpr int pixels = 512;
 constexpr float dt = 0.5f;
-
-double seconds(clockid_t clock)
-{
-    timespec t{};
-    clock_gettime(clock, &t);
-    return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
-}
-
-template <class F>
-double secondsOf(clockid_t clock, const F& work)
-{
-    const double begin = seconds(clock);
-    work();
-    return seconds(clock) - begin;
-}
 
 double quantile(std::vector<double> values, double q)
 {
@@ -54,10 +38,7 @@ public:
     {
         const ViewRays rays(viewOf(scene, pixels), {vec3i(0), 2 * (volume_.size - 1)}, volume_.worldFromGrid, false);
         origin_ = rays.origin();
-        TilePixels places;
-        for (int y = 0; y < pixels; y += TilePixels::width)
-            for (int x = 0; x < pixels; x += TilePixels::width)
-                rays.fill(x, y, places, tiles_.emplace_back());
+        tiles_ = tilesOf(rays, pixels);
         const Box3d box = scene.voxelBounds();
         lengthPerStep_ = dt * float((box.upper.x - box.lower.x) / (volume_.size.x - 1));
     }

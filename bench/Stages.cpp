@@ -5,7 +5,6 @@
 #include "brickwall/core/model/BrickBuilder.h"
 #include "brickwall/core/model/Pyramid.h"
 #include "brickwall/core/render/ImageFiles.h"
-#include "brickwall/core/render/RayTiles.h"
 #include "brickwall/core/scene/SceneOptions.h"
 #include "brickwall/core/trace/VisibleNodes.h"
 
@@ -134,21 +133,11 @@ BENCHMARK(rangeQueries)->Unit(benchmark::kMillisecond);
 
 constexpr int pixels = 256;
 
-std::vector<RayTile> tilesOf(const ViewRays& rays)
-{
-    std::vector<RayTile> tiles;
-    TilePixels places;
-    for (int y = 0; y < pixels; y += TilePixels::width)
-        for (int x = 0; x < pixels; x += TilePixels::width)
-            rays.fill(x, y, places, tiles.emplace_back());
-    return tiles;
-}
-
 void walk(benchmark::State& state)
 {
     const ViewRays rays(viewOf(*sceneNamed("sample:wake"), pixels), scene().regions->bounds, scene().worldFromVoxel,
                         true);
-    const std::vector<RayTile> tiles = tilesOf(rays);
+    const std::vector<RayTile> tiles = tilesOf(rays, pixels);
     const auto bounds = regionBounds(*scene().field, integrate(scene().transferFunction), serial());
     const std::vector<KdNode> nodes = visibleNodes(*scene().regions, bounds, serial());
     TraceScene trace;

@@ -2,15 +2,14 @@
 /// The walk through regions both ways: the kd-tree's order, and Embree's nearest box (docs/decisions/0045). In turns,
 /// one thread, processor time.
 #include "brickwall/bench/BenchScenes.h"
+#include "brickwall/bench/Clock.h"
 #include "brickwall/bench/EmbreeRegions.h"
 #include "brickwall/core/base/Median.h"
-#include "brickwall/core/render/RayTiles.h"
 #include "brickwall/core/simd/Target.h"
 #include "brickwall/core/trace/VisibleNodes.h"
 
 #include <benchmark/benchmark.h>
 
-#include <ctime>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,29 +18,6 @@ namespace brickwall::bench {
 namespace {
 
 constexpr int pixels = 256;
-
-template <class F>
-double secondsOf(const F& work)
-{
-    const auto seconds = [] {
-        timespec t{};
-        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-        return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
-    };
-    const double begin = seconds();
-    work();
-    return seconds() - begin;
-}
-
-std::vector<RayTile> tilesOf(const ViewRays& rays)
-{
-    std::vector<RayTile> tiles;
-    TilePixels places;
-    for (int y = 0; y < pixels; y += TilePixels::width)
-        for (int x = 0; x < pixels; x += TilePixels::width)
-            rays.fill(x, y, places, tiles.emplace_back());
-    return tiles;
-}
 
 void walks(benchmark::State& state, const std::string& name)
 {
@@ -52,12 +28,12 @@ void walks(benchmark::State& state, const std::string& name)
     const Scene& scene = data->scene;
     const View view = viewOf(*data, pixels);
     const ViewRays rays(view, scene.regions->bounds, scene.worldFromVoxel, true);
-    const std::vector<RayTile> tiles = tilesOf(rays);
+    const std::vector<RayTile> tiles = tilesOf(rays, pixels);
     const Renderer renderer(scene, serial);
     const TransferIntegral integral = integrate(scene.transferFunction);
     std::vector<RegionBounds> bounds;
     std::vector<KdNode> nodes;
-    const double kdBuild = secondsOf([&] {
+    const double kdBuild = secondsOf(CLOCK_THREAD_CPUTIME_ID, [&] {
         bounds = regionBounds(*scene.field, integral, serial);
         nodes = visibleNodes(*scene.regions, bounds, serial);
     });
@@ -68,7 +44,7 @@ void walks(benchmark::State& state, const std::string& name)
     trace.regionBounds = bounds;
     trace.origin = rays.origin();
     std::optional<EmbreeRegions> embree;
-    const double embreeBuild = secondsOf([&] { embree.emplace(trace); });
+    const double embreeBuild = secondsOf(CLOCK_THREAD_CPUTIME_ID, [&] { embree.emplace(trace); });
 
     RenderSettings settings;
     settings.shading = Shading::off;
@@ -77,16 +53,18 @@ void walks(benchmark::State& state, const std::string& name)
     std::uint64_t kdRegions = 0, boxRegions = 0;
     for (auto _ : state) {
         kdRegions = boxRegions = 0;
-        kd.push_back(secondsOf([&] {
+        kd.push_back(secondsOf(CLOCK_THREAD_CPUTIME_ID, [&] {
             for (const RayTile& tile : tiles)
                 kdRegions += countRegions(trace, tile);
         }));
-        boxes.push_back(secondsOf([&] {
+        boxes.push_back(secondsOf(CLOCK_THREAD_CPUTIME_ID, [&] {
             for (const RayTile& tile : tiles)
                 boxRegions += embree->count(tile);
         }));
         ratios.push_back(boxes.back() / kd.back());
-        frames.push_back(secondsOf([&] { benchmark::DoNotOptimize(renderer.render({&view, 1}, settings, silent)); }));
+        frames.push_back(secondsOf(CLOCK_THREAD_CPUTIME_ID, [&] {
+            benchmark::DoNotOptimize(renderer.render({&view, 1}, settings, silent));
+        }));
         state.SetIterationTime(kd.back());
     }
     state.counters["ratio"] = median(ratios);

@@ -38,6 +38,16 @@ TEST(VolumeNode, ChangesOfPropertiesAreCountedAndShown)
     EXPECT_EQ(node->lookStamp(), look + 2);
 }
 
+/// Moves what was loaded to the origin, 3 in radius.
+osg::Matrixd centred(VolumeNode& node)
+{
+    const osg::BoundingSphere bounds = node.getBound();
+    const osg::Matrixd nodeFromModel =
+        osg::Matrixd::translate(-bounds.center()) * osg::Matrixd::scale(osg::Vec3d(1, 1, 1) * (3.0 / bounds.radius()));
+    node.setTransform(nodeFromModel);
+    return nodeFromModel;
+}
+
 TEST(VolumeNode, PlanesClipAndLightAreChangedWithoutReading)
 {
     BRICKWALL_NEEDS_DISPLAY();
@@ -46,10 +56,7 @@ TEST(VolumeNode, PlanesClipAndLightAreChangedWithoutReading)
     Progress silent;
     const osg::ref_ptr<VolumeNode> node = new VolumeNode;
     node->load(options, silent);
-    const osg::BoundingSphere bounds = node->getBound();
-    const osg::Matrixd nodeFromModel =
-        osg::Matrixd::translate(-bounds.center()) * osg::Matrixd::scale(osg::Vec3d(1, 1, 1) * (3.0 / bounds.radius()));
-    node->setTransform(nodeFromModel);
+    const osg::Matrixd nodeFromModel = centred(*node);
     NodeViewer shown(node);
     shown.settle(*node);
     const unsigned data = node->dataStamp(), look = node->lookStamp();
@@ -100,10 +107,7 @@ TEST(VolumeNode, HasColoursOfAnotherFieldByAPropertyOrByItsTransferFunction)
     Progress silent;
     const osg::ref_ptr<VolumeNode> node = new VolumeNode;
     node->load(options, silent);
-    const osg::BoundingSphere bounds = node->getBound();
-    const osg::Matrixd nodeFromModel =
-        osg::Matrixd::translate(-bounds.center()) * osg::Matrixd::scale(osg::Vec3d(1, 1, 1) * (3.0 / bounds.radius()));
-    node->setTransform(nodeFromModel);
+    const osg::Matrixd nodeFromModel = centred(*node);
     NodeViewer shown(node);
     shown.settle(*node);
     const unsigned data = node->dataStamp(), look = node->lookStamp();
