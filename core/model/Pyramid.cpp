@@ -43,6 +43,11 @@ struct Plan
 {
     std::vector<Part> parts;
     std::vector<std::array<std::uint64_t, 8>> slots; ///< per cell, those whose mean it gets
+
+    std::uint64_t cells() const
+    {
+        return parts.empty() ? 0 : parts.back().brick.begin + parts.back().brick.cellCount();
+    }
 };
 
 /// The cells of the next level that the brick fills on its own, counted from the origin; may be empty.
@@ -142,8 +147,7 @@ void average(const Brick& from, const vec3i& firstCell, const Brick& to, const f
 std::vector<float> valuesOf(const Plan& plan, const Model& model, const std::vector<float>& source,
                             const Executor& executor, Progress& progress)
 {
-    std::vector<float> values(plan.parts.empty() ? 0
-                                                 : plan.parts.back().brick.begin + plan.parts.back().brick.cellCount());
+    std::vector<float> values(plan.cells());
     executor.forEach(plan.parts.size(), 8, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             progress.check();
@@ -167,6 +171,34 @@ std::vector<float> valuesOf(const Plan& plan, const Model& model, const std::vec
     return values;
 }
 
+/// Bricks that are not merged, or merged with another copy of the values meanwhile.
+Model coarsened(const Model& model, const Plan& plan, bool merged, const Executor& executor, Progress& progress)
+{
+    Model coarser;
+    coarser.name = model.name;
+    coarser.worldFromVoxel = model.worldFromVoxel;
+    coarser.cellCount = plan.cells();
+    for (const Part& part : plan.parts)
+        coarser.bricks.push_back(part.brick);
+    std::vector<std::uint32_t> source;
+    if (merged) {
+        BrickLayout layout = mergeBricks(coarser.bricks, {}, executor, progress);
+        coarser.bricks = std::move(layout.bricks);
+        source = std::move(layout.source);
+    }
+    for (const Field& field : model.fields) {
+        progress.begin("averaging cells", plan.parts.size());
+        Field mean{
+            field.name, field.unit, valuesOf(plan, model, field.values, executor, progress), {}, field.preferredRange};
+        if (merged)
+            mean.values = gather(mean.values, source, executor);
+        mean.range = rangeOf(mean.values);
+        coarser.fields.push_back(std::move(mean));
+    }
+    progress.end();
+    return coarser;
+}
+
 PyramidMember memberOf(const Model& model, int level, const Executor& executor, Progress& progress)
 {
     PyramidMember member;
@@ -184,25 +216,7 @@ PyramidMember memberOf(const Model& model, int level, const Executor& executor, 
 
 Model coarsen(const Model& model, int level, const Executor& executor, Progress& progress)
 {
-    const Plan plan = planOf(model, level, executor, progress);
-    std::vector<Brick> bricks;
-    for (const Part& part : plan.parts)
-        bricks.push_back(part.brick);
-    const BrickLayout layout = mergeBricks(bricks, {}, executor, progress);
-    Model coarser;
-    coarser.name = model.name;
-    coarser.worldFromVoxel = model.worldFromVoxel;
-    coarser.bricks = layout.bricks;
-    coarser.cellCount = layout.source.size();
-    for (const Field& field : model.fields) {
-        progress.begin("averaging cells", plan.parts.size());
-        Field mean{field.name, field.unit, {}, {}, field.preferredRange};
-        mean.values = gather(valuesOf(plan, model, field.values, executor, progress), layout.source, executor);
-        mean.range = rangeOf(mean.values);
-        coarser.fields.push_back(std::move(mean));
-    }
-    progress.end();
-    return coarser;
+    return coarsened(model, planOf(model, level, executor, progress), true, executor, progress);
 }
 
 std::size_t PyramidMember::bytes() const
@@ -227,13 +241,16 @@ std::vector<PyramidMember> buildPyramid(const Model& model, const PyramidConfig&
     std::uint64_t kept = model.cellCount, before = kept;
     Model last;
     for (; kept > config.leastCells && level < maxLevel; ++level) {
-        last = coarsen(last.bricks.empty() ? model : last, level, executor, progress);
-        if (last.cellCount == before && level >= coarsest)
+        const Model& source = last.bricks.empty() ? model : last;
+        const Plan plan = planOf(source, level, executor, progress);
+        if (plan.cells() == before && level >= coarsest)
             break; // ragged all over: nothing will ever be averaged
-        before = last.cellCount;
-        if (double(last.cellCount) > config.mostCells * double(kept))
+        before = plan.cells();
+        const bool isMember = double(before) <= config.mostCells * double(kept);
+        last = coarsened(source, plan, isMember, executor, progress);
+        if (!isMember)
             continue;
-        kept = last.cellCount;
+        kept = before;
         members.push_back(memberOf(last, level + 1, executor, progress));
     }
     return members;

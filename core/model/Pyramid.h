@@ -35,14 +35,14 @@ struct PyramidConfig
 {
     /// A member is kept if it has at most this share of the cells of the one before: data whose cells are mostly coarse
     /// already gain nothing from members that repeat them. Bounds what all members take together.
-    double mostCells = 0.5;
+    double mostCells = 0.25;
     /// What has no more cells than this gets no coarser members.
     std::uint64_t leastCells = 4096;
 };
 
 /// The members of a model, ascending by level: each the average of the one before, as long as that pays. For data of
 /// one level all of them take a seventh of the memory that the data take, and what more there is for edges of bricks;
-/// for others up to as much again (docs/decisions/0037). May be empty. Throws Cancelled.
+/// for others up to a third (docs/decisions/0037). May be empty. Throws Cancelled.
 std::vector<PyramidMember> buildPyramid(const Model& model, const PyramidConfig& config, const Executor& executor,
                                         Progress& progress);
 
