@@ -120,6 +120,10 @@ const FrameDecision& FrameTime::decide(double work)
 {
     if (isPositive(work))
         logWork_ = logOf(work);
+    if (logWork_ < logWorkLowered_ - otherLoad) { // there is less to do than there was when more was too much
+        forgetTries();
+        patience_ = 0.0;
+    }
     if (load_.frames() == 0)
         return decision_;
     const double load = load_.estimate(cost_) + logWork_;
@@ -163,6 +167,7 @@ std::optional<double> FrameTime::lower(double load)
         sinceRaise_ < vain ? std::clamp(2.0 * patience_, firstPatience, config_.longestPatience) : 0.5 * patience_;
     changed_ = raising_ = false;
     sinceLowering_ = 0.0;
+    logWorkLowered_ = logWork_;
     if (!std::exchange(raised_, false))
         return wanted;
     tooFine_ = decision_.levers;

@@ -89,16 +89,17 @@ private:
     FrameCost cost_;
     FrameLoad load_;
     FrameDecision decision_;
-    double logWork_ = 0.0;       ///< of the next frame
-    double logWorkBefore_ = 0.0; ///< of the one before
-    double sinceRaise_ = 1e9;    ///< seconds
-    double sinceLowering_ = 1e9; ///< seconds
-    double patience_ = 0.0;      ///< seconds after a lowering before the first raise
-    double sinceChange_ = 0.0;   ///< seconds
-    int framesSinceChange_ = 0;  ///< reports, of any levers
-    bool seen_ = true;           ///< a frame at the present levers
-    bool changed_ = true;        ///< the load, since the last decision, so that it need not be waited
-    bool raising_ = false;       ///< step by step, there is more to come
+    double logWork_ = 0.0;        ///< of the next frame
+    double logWorkBefore_ = 0.0;  ///< of the one before
+    double logWorkLowered_ = 0.0; ///< of the one before which levers were lowered last
+    double sinceRaise_ = 1e9;     ///< seconds
+    double sinceLowering_ = 1e9;  ///< seconds
+    double patience_ = 0.0;       ///< seconds after a lowering before the first raise
+    double sinceChange_ = 0.0;    ///< seconds
+    int framesSinceChange_ = 0;   ///< reports, of any levers
+    bool seen_ = true;            ///< a frame at the present levers
+    bool changed_ = true;         ///< the load, since the last decision, so that it need not be waited
+    bool raising_ = false;        ///< step by step, there is more to come
     std::uint64_t ignored_ = 0;
 
     bool raised_ = false; ///< by the last change, and not known to be good
