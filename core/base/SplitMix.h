@@ -5,8 +5,8 @@
 
 namespace brickwall {
 
-/// The generator SplitMix64 for one state: numbers that look random, of which neighbours have nothing in common (Steele,
-/// Lea, Flood, Fast splittable pseudorandom number generators, 2014).
+/// The generator SplitMix64 for one state: numbers that look random, of which neighbours have nothing in common
+/// (Steele, Lea, Flood, Fast splittable pseudorandom number generators, 2014).
 inline std::uint64_t splitMix(std::uint64_t x)
 {
     x += 0x9e3779b97f4a7c15u;

@@ -99,8 +99,10 @@ HWY_INLINE TurnsN turnsOf(const TransferIntegralLookup& colors, const ColorPlace
 /// - The mean over values is that along the ray as far as these are evenly spread (`misplaced` in Parts.h); a step may
 ///   be anywhere.
 /// - What the field does beyond the values at the ends, as far as the enclosure lets it, is not in that mean.
-HWY_NOINLINE inline FloatN tint(const TransferIntegralLookup& colors, const PlaceN& a, const PlaceN& b, const ColorPlaceN& ca,
-                       const ColorPlaceN& cb, const ColorExtentN& extent, FloatN length, SegmentN& segment)
+/// Not inlined, nor is tintRounding: the five copies of each kernel took half of the sanitizers' time to compile it.
+HWY_NOINLINE inline FloatN tint(const TransferIntegralLookup& colors, const PlaceN& a, const PlaceN& b,
+                                const ColorPlaceN& ca, const ColorPlaceN& cb, const ColorExtentN& extent, FloatN length,
+                                SegmentN& segment)
 {
     const QuadN mean = colors.meanBetween(ca.look, cb.look);
     const TurnsN turns = turnsOf(colors, ca, cb, extent);
@@ -116,7 +118,7 @@ HWY_NOINLINE inline FloatN tint(const TransferIntegralLookup& colors, const Plac
 
 /// Where the field hardly changes, rounding of its values decides on which side of a step of the colours a part is.
 HWY_NOINLINE inline FloatN tintRounding(const TransferIntegralLookup& colors, MaskN lanes, const ColorPlaceN& a,
-                               const ColorPlaceN& b, float colorSlope)
+                                        const ColorPlaceN& b, float colorSlope)
 {
     if (!std::isinf(colorSlope))
         return 0.0f;

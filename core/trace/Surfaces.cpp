@@ -72,11 +72,12 @@ public:
         counts.regionsVisited += count(active);
         // Floats see nothing where they cannot tell a small part of a cell.
         const MaskN blind = reach_ > FloatN(0.05f * static_cast<float>(1 << region.finestLevel));
+        const MaskN seeing = andNot(active, blind);
         search(index, active & blind, t0, t1);
         if (region.brickCount == 1)
-            scan<OneBrickPieces>(index, region, andNot(active, blind), t0, t1);
+            scan<OneBrickPieces>(index, region, seeing, t0, t1);
         else
-            scan<SeveralBricksPieces>(index, region, andNot(active, blind), t0, t1);
+            scan<SeveralBricksPieces>(index, region, seeing, t0, t1);
         return load(alive_) > FloatN(0.5f);
     }
 

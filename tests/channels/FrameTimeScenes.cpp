@@ -117,8 +117,8 @@ int longestMiss(const std::vector<FlownFrame>& flown, std::size_t from)
     return longest;
 }
 
-/// Data of 100 million cells that a flight left behind: more accuracy had been in vain while they came near, and was not
-/// tried for a second in which frames became twice as fast, because what they took for their work had not changed.
+/// Data of 100 million cells that a flight left behind: more accuracy had been in vain while they came near, and was
+/// not tried for a second in which frames became twice as fast, because what they took for their work had not changed.
 TEST(FrameTime, WhatWasInVainIsTriedAgainWhenThereIsLessToDo)
 {
     for (unsigned seed = 1; seed <= 20; ++seed) {

@@ -42,8 +42,8 @@ private:
     const char* folder_ = std::getenv("BRICKWALL_REPROJECTION_TABLE");
 };
 
-/// Decibels: the root of the mean square is half of 1/255. A few pixels of a small picture decide which mode is the best
-/// beyond that (impact, 60 x 60 per screen: 58.7 against 59.3).
+/// Decibels: the root of the mean square is half of 1/255. A few pixels of a small picture decide which mode is the
+/// best beyond that (impact, 60 x 60 per screen: 58.7 against 59.3).
 constexpr double invisible = 54.15;
 
 /// `most` holes, and at most `behind` decibels worse than any other mode, as far as that can be seen.
