@@ -1,6 +1,8 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "brickwall/plugin/PixelGrid.h"
 
+#include "brickwall/plugin/FreshArray.h"
+
 #include <algorithm>
 #include <cstddef>
 
@@ -33,7 +35,7 @@ osg::ref_ptr<osg::DrawElementsUInt> stripOf(int columns, int rows)
 } // namespace
 
 PixelGrid::PixelGrid(int width, int height, bool withMesh)
-    : width_(width), height_(height), vertices_(new osg::Vec2Array(osg::Array::BIND_PER_VERTEX))
+    : width_(width), height_(height), vertices_(makeFreshArray<osg::Vec2Array>())
 {
     const int columns = width + 2, rows = height + 2;
     vertices_->reserve(std::size_t(columns) * rows);

@@ -2,6 +2,7 @@
 #include "brickwall/plugin/RoomModel.h"
 
 #include "brickwall/core/render/ImageFiles.h"
+#include "brickwall/plugin/FreshArray.h"
 #include "brickwall/plugin/OsgConversions.h"
 
 #include <osg/Geometry>
@@ -135,7 +136,7 @@ void RoomModel::setPose(const RigViews& views, const mat4d& roomFromWorld, const
     for (const ChannelView& view : views.views) {
         const Channel& channel = rig_.channels[view.channel];
         const osg::Vec3 eye = toVec3(transformPoint(roomFromWorld, view.view.eye));
-        osg::ref_ptr<osg::Vec3Array> points = new osg::Vec3Array;
+        const osg::ref_ptr<osg::Vec3Array> points = makeFreshArray<osg::Vec3Array>(); // others in a moment
         for (const vec3d& corner : cornersOf(rig_.screens[channel.screen], channel)) {
             points->push_back(eye);
             points->push_back(toVec3(corner));

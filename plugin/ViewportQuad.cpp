@@ -1,6 +1,8 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "brickwall/plugin/ViewportQuad.h"
 
+#include "brickwall/plugin/FreshArray.h"
+
 namespace brickwall {
 namespace {
 
@@ -30,7 +32,7 @@ void shapeWithoutBounds(osg::Geometry& geometry)
 
 void shapeAsViewportQuad(osg::Geometry& geometry)
 {
-    osg::ref_ptr<osg::Vec2Array> corners = new osg::Vec2Array(osg::Array::BIND_PER_VERTEX);
+    const osg::ref_ptr<osg::Vec2Array> corners = makeFreshArray<osg::Vec2Array>();
     for (const osg::Vec2& corner : {osg::Vec2(-1, -1), osg::Vec2(1, -1), osg::Vec2(-1, 1), osg::Vec2(1, 1)})
         corners->push_back(corner);
     shapeWithoutBounds(geometry);

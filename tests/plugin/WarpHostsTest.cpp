@@ -155,6 +155,31 @@ TEST(WarpHosts, AViewThatChangesItsSizeIsShownRight)
     }
 }
 
+// OpenSceneGraph takes an array for the one drawn last if it is at the same address and was modified as often. The
+// vertices of the first size leave their place in memory to those of the third: then those of the first were drawn
+// again, outside the window, and nothing was seen.
+TEST(WarpHosts, AViewThatChangesItsSizeTwiceBetweenDrawsIsShownRight)
+{
+    BRICKWALL_NEEDS_DISPLAY();
+    WarpedRig desk(deskRig(width, height));
+    desk.drawer->setViewsToRender(MultiChannelDrawer::MatchingEye);
+    desk.drawer->setMode(MultiChannelDrawer::Reproject);
+    View view = desk.views.views[0].view;
+    const auto publish = [&](int factor) {
+        view.window = {0, 0, width / factor, height / factor};
+        desk.publish(0, patternFrame(view, factor));
+    };
+    for (int round = 0; round < 20; ++round) {
+        SCOPED_TRACE(round);
+        publish(1);
+        desk.drawOne();
+        publish(2);
+        publish(4);
+        expectPicture(*desk.drawOne(), {0, 0, width, height},
+                      [&](int x, int y) { return composed(desk.frames[0], x / 4, y / 4, background); });
+    }
+}
+
 /// A host with a single camera, which it may exchange.
 struct OneCamera : ChannelSource
 {
