@@ -3,6 +3,7 @@
 
 #include "Camera.h"
 
+#include "brickwall/channels/FrameRate.h"
 #include "brickwall/channels/FrameTime.h"
 #include "brickwall/channels/Rig.h"
 #include "brickwall/core/base/Box.h"

@@ -4,6 +4,7 @@
 #include "Folder.h"
 #include "TerminalProgress.h"
 
+#include "brickwall/channels/FrameRate.h"
 #include "brickwall/channels/FrameTime.h"
 #include "brickwall/channels/LeveredViews.h"
 #include "brickwall/core/base/Error.h"

@@ -4,7 +4,7 @@
 #include "RenderViews.h"
 #include "TerminalProgress.h"
 
-#include "brickwall/channels/FrameTime.h"
+#include "brickwall/channels/FrameRate.h"
 #include "brickwall/channels/RigFiles.h"
 #include "brickwall/core/base/Error.h"
 #include "brickwall/core/scene/SceneArguments.h"
@@ -39,18 +39,6 @@ struct Options
     std::string flight;
     std::string writeTf;
 };
-
-/// "off", or a number within the limits.
-std::optional<double> fpsOf(const std::string& text)
-{
-    if (text == "off")
-        return std::nullopt;
-    const double fps = parseNumber(text, "--fps");
-    if (!(fps >= lowestFps && fps <= highestFps))
-        throw Error("--fps", fmt::format("expected {:g} to {:g} frames per second, or off, found {}", lowestFps,
-                                         highestFps, text));
-    return fps;
-}
 
 #ifdef BRICKWALL_HAS_PLUGIN
 /// Ends with the last key pose.
@@ -115,7 +103,7 @@ void addViewCommand(CLI::App& app, Action& chosen)
     command->add_flag("--preview", options->preview,
                       "one window that shows the rig from outside: its screens, what they show, heads and frusta");
     command->add_option_function<std::string>(
-        "--fps", [options](const std::string& text) { options->fps = fpsOf(text); },
+        "--fps", [options](const std::string& text) { options->fps = parseFps(text, "--fps"); },
         fmt::format("frames per second to be held while something moves, {:g} to {:g}, or off (default {:g}): what "
                     "moves is rendered less accurately, what rests as --tolerance or --dt say",
                     lowestFps, highestFps, usualFps));

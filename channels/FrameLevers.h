@@ -25,6 +25,8 @@ struct LeverRange
     Lever lever = Lever::tolerance;
     double finest = 0.0; ///< value in a FrameLevers; for imageScale in eighths
     double coarsest = 0.0;
+
+    bool operator==(const LeverRange&) const = default;
 };
 
 /// The levers that there are, in the order of their use: the first one is moved first, and the last is the first to be

@@ -22,9 +22,6 @@ struct FrameTimeConfig
     double wantedUncertainty = 2.5; ///< standard deviations by which an expectation leaves the band
 };
 
-/// What users may ask for, and what they get if they do not: frames per second.
-inline constexpr double lowestFps = 5.0, highestFps = 60.0, usualFps = 20.0;
-
 /// One decision, for all eyes and screens of a rig: a plain record, to be sent to every node that renders.
 struct FrameDecision
 {

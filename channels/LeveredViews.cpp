@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <memory>
 
 namespace brickwall {
 namespace {
@@ -17,6 +19,38 @@ mat4d windowFromScreen(const View& view)
     const vec3d center((2.0 * w.x + w.width) / view.screenWidth - 1.0, (2.0 * w.y + w.height) / view.screenHeight - 1.0,
                        0.0);
     return glm::scale(mat4d(1.0), scale) * glm::translate(mat4d(1.0), -center);
+}
+
+/// Of those of the window's `from` pixels that pixel i of `to` covers, the first; in whole or in part.
+int firstOf(int i, int from, int to)
+{
+    return int(std::int64_t(i) * from / to);
+}
+
+int endOf(int i, int from, int to)
+{
+    return int((std::int64_t(i + 1) * from + to - 1) / to);
+}
+
+/// The depth of the view's scene for fewer pixels of its window, `to`; null without one.
+std::shared_ptr<const SceneDepth> nearestDepths(const View& view, const PixelRect& to)
+{
+    if (!view.sceneDepth)
+        return nullptr;
+    checkSceneDepth(view);
+    const SceneDepth& scene = *view.sceneDepth;
+    const PixelRect& w = view.window;
+    auto result = std::make_shared<SceneDepth>(SceneDepth{to, {}});
+    result->depth.assign(std::size_t(to.width) * to.height, 1.0f);
+    for (int row = 0; row < to.height; ++row)
+        for (int y = firstOf(row, w.height, to.height); y < endOf(row, w.height, to.height); ++y) {
+            const float* depths = &scene.depth[std::size_t(w.y - scene.window.y + y) * scene.window.width];
+            float* nearest = &result->depth[std::size_t(row) * to.width];
+            for (int column = 0; column < to.width; ++column)
+                for (int x = firstOf(column, w.width, to.width); x < endOf(column, w.width, to.width); ++x)
+                    nearest[column] = std::min(nearest[column], depths[w.x - scene.window.x + x]);
+        }
+    return result;
 }
 
 int scaled(int pixels, int eighths)
@@ -45,7 +79,7 @@ RenderSettings withLevers(RenderSettings settings, const FrameLevers& levers)
 
 View scaledView(const View& view, int eighths)
 {
-    if (eighths >= 8 || view.sceneDepth || view.window.width <= 0 || view.window.height <= 0)
+    if (eighths >= 8 || view.window.width <= 0 || view.window.height <= 0)
         return view;
     const vec3d right = view.lowerRight - view.lowerLeft, up = view.upperRight - view.lowerRight;
     const auto at = [&](int x, int y) {
@@ -60,6 +94,7 @@ View scaledView(const View& view, int eighths)
     result.screenWidth = scaled(w.width, eighths);
     result.screenHeight = scaled(w.height, eighths);
     result.window = {0, 0, result.screenWidth, result.screenHeight};
+    result.sceneDepth = nearestDepths(view, result.window);
     return result;
 }
 

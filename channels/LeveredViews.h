@@ -18,7 +18,8 @@ RenderSettings withLevers(RenderSettings settings, const FrameLevers& levers);
 
 /// The view with fewer pixels: the same eye and exactly the same part of the screen in `eighths` / 8 as many columns
 /// and rows, rounded, at least one; row 0 at the bottom. It has no pixels outside of its window, of which its screen
-/// now consists. A view with the depth of a scene is returned as it is: that has the pixels of the window.
+/// now consists. Of a scene's depth each pixel has the nearest one of those that it covers: what is drawn over the
+/// scene is never hidden by it. Throws Error as checkSceneDepth does.
 View scaledView(const View& view, int eighths);
 
 /// All of them; what a renderer is asked for at these levers.

@@ -1,6 +1,7 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "brickwall/plugin/FramePace.h"
 
+#include "brickwall/channels/FrameRate.h"
 #include "brickwall/channels/LeveredViews.h"
 
 #include <fmt/format.h>
@@ -118,7 +119,7 @@ void FramePace::setFps(std::optional<double> fps)
     fps_ = fps;
     if (!fps_)
         return;
-    fps_ = std::clamp(*fps_, lowestFps, highestFps);
+    fps_ = withinFps(*fps_);
     controller_.setTarget(1.0 / *fps_);
 }
 

@@ -1,6 +1,8 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "brickwall/plugin/RigControls.h"
 
+#include "brickwall/channels/FrameRate.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>

@@ -33,6 +33,7 @@ VolumeNode::VolumeNode(const VolumeNode& other, const osg::CopyOp& copy)
       data_(other.data_),
       modelBounds_(other.modelBounds_),
       makeFrames_(other.makeFrames_),
+      fps_(other.fps_),
       dataStamp_(other.dataStamp_),
       lookStamp_(other.lookStamp_),
       views_(new TraversalViews),

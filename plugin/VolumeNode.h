@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brickwall/plugin/DepthReaders.h"
+#include "brickwall/plugin/PacedVolume.h"
 #include "brickwall/plugin/ViewRendering.h"
 #include "brickwall/plugin/VolumeRenderer.h"
 
@@ -57,6 +58,17 @@ public:
     void setIsoValues(const std::vector<double>& values);
     void setTolerance(double tolerance); ///< of the method bounded
     void setShading(Shading shading);
+    /// Pictures per second that are held while camera, data or properties change, by rendering those with a larger
+    /// tolerance and fewer pixels, 5 to 60 or else the nearest of them (FramePace); what rests is refined until it is
+    /// as the options say. Without a value, as at the start, every picture is as the options say, however long that
+    /// takes. Nodes of one program, which share its cores, hold theirs each for itself. Images from elsewhere are not
+    /// held.
+    void setFps(std::optional<double> fps);
+    std::optional<double> fps() const { return fps_; }
+    /// For people, two lines: the target, what pictures take, and the error that is paid for it. Empty if nothing is
+    /// held.
+    std::string frameTime() const;
+
     /// Instead of that of the options, at once, with nothing to read unless its colours are of a field that is not
     /// there yet; without a value: that of the options again. transferFunctionOf, readTransferFunction and toJson
     /// (TransferFunctionFile.h) are its file.
@@ -115,7 +127,10 @@ private:
     void followViews();
     std::vector<RequestedView> viewsNow();
     bool waitsForDepth();
-    FrameMaker makerOfLook() const;
+    VolumeLook look() const;
+    FrameMaker makerOfLook();
+    void request(std::vector<RequestedView> views, bool outdated);
+    void refine();
     void placeOccluders();
 
     SceneOptions options_;
@@ -126,6 +141,8 @@ private:
     std::shared_ptr<VolumeRenderer> renderer_;       ///< called by the rendering thread alone
     Box3d modelBounds_;                              ///< of the model's world space; empty: nothing is shown
     FrameMaker makeFrames_;                          ///< of a program
+    std::optional<double> fps_;
+    std::shared_ptr<PacedVolume> pace_; ///< of the requests since the last change of the levers; null: nothing is held
     unsigned dataStamp_ = 0;
     unsigned lookStamp_ = 0;
 
@@ -138,6 +155,9 @@ private:
     std::optional<unsigned> updatedFrame_;
     std::vector<RequestedView> requested_; ///< latest
     std::optional<unsigned> requestedLook_;
+    unsigned request_ = 0; ///< number of the latest
+    std::optional<unsigned> published_;
+    bool refining_ = false; ///< the latest request is for a better picture of what is shown
     bool settled_ = false;
     bool notedFlat_ = false;
     std::unique_ptr<ViewRendering> rendering_; ///< last: it ends before what it writes to does

@@ -1,5 +1,6 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 /// The properties of VolumeNode.
+#include "brickwall/channels/FrameRate.h"
 #include "brickwall/plugin/NodeTriangles.h"
 #include "brickwall/plugin/OsgConversions.h"
 #include "brickwall/plugin/VolumeNode.h"
@@ -68,6 +69,23 @@ void VolumeNode::setShading(Shading shading)
     SceneOptions options = options_;
     options.shading = shading == Shading::off ? "off" : "headlight";
     setOptions(options);
+}
+
+void VolumeNode::setFps(std::optional<double> fps)
+{
+    fps_ = fps ? std::optional(withinFps(*fps)) : std::nullopt;
+    if (!pace_)
+        return;
+    if (fps_)
+        return pace_->setFps(*fps_);
+    if (published_ != request_ || !pace_->refined())
+        requestedLook_.reset(); // what is shown, or will be, is less than the options say
+    pace_.reset();
+}
+
+std::string VolumeNode::frameTime() const
+{
+    return pace_ ? pace_->status() : std::string();
 }
 
 void VolumeNode::setTransferFunction(std::optional<TransferFunction> tf)

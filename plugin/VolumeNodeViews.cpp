@@ -1,5 +1,6 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 /// What VolumeNode does in the traversals of its host.
+#include "brickwall/channels/LeveredViews.h"
 #include "brickwall/core/base/Error.h"
 #include "brickwall/core/shade/Srgb.h"
 #include "brickwall/plugin/OsgConversions.h"
@@ -71,12 +72,30 @@ void VolumeNode::update(unsigned frame)
     std::vector<RequestedView> views = viewsNow();
     const bool newLook = requestedLook_ != lookStamp_;
     const bool newViews = !sameViews(views, requested_);
-    if (!views.empty() && (newLook || newViews) && !waitsForDepth()) {
-        rendering_->request(views, makerOfLook(), newLook);
-        requestedLook_ = lookStamp_;
-        requested_ = std::move(views);
+    if (newLook || newViews) {
+        if (!views.empty() && !waitsForDepth())
+            request(std::move(views), newLook);
+    } else {
+        refine();
     }
     settled_ = !requested_.empty() && !newLook && !newViews && !depths_->areBehind() && rendering_->idle();
+}
+
+void VolumeNode::request(std::vector<RequestedView> views, bool outdated)
+{
+    request_ = rendering_->request(views, makerOfLook(), outdated || refining_);
+    refining_ = false;
+    requestedLook_ = lookStamp_;
+    requested_ = std::move(views);
+}
+
+/// Once what was asked for last is shown, and for as long as it rests.
+void VolumeNode::refine()
+{
+    if (!pace_ || requested_.empty() || published_ != request_ || pace_->refined())
+        return;
+    request_ = rendering_->request(requested_, pace_->resting(look()));
+    refining_ = true;
 }
 
 /// A first picture without the scene's depth would delay the right one by the time that it takes.
@@ -89,7 +108,8 @@ bool VolumeNode::waitsForDepth()
 void VolumeNode::publish()
 {
     try {
-        rendering_->publish();
+        if (const std::optional<unsigned> number = rendering_->publish())
+            published_ = number;
     } catch (const std::exception& error) {
         OSG_WARN << "brickwall: " << error.what() << std::endl;
     }
@@ -135,12 +155,25 @@ std::vector<RequestedView> VolumeNode::viewsNow()
     return views;
 }
 
-FrameMaker VolumeNode::makerOfLook() const
+VolumeLook VolumeNode::look() const
 {
+    return {options_, transferFunction_, occluders_, lookStamp_};
+}
+
+FrameMaker VolumeNode::makerOfLook()
+{
+    if (makeFrames_ || !fps_)
+        pace_.reset();
     if (makeFrames_)
         return makeFrames_;
-    return [renderer = renderer_, look = VolumeLook{options_, transferFunction_, occluders_, lookStamp_}](
-               std::span<const View> views, Progress& progress) { return renderer->render(look, views, progress); };
+    if (!fps_)
+        return [renderer = renderer_, look = look()](std::span<const View> views, Progress& progress) {
+            return renderer->render(look, views, progress);
+        };
+    const LeverTable levers = leversOf(renderSettings(options_));
+    if (!pace_ || !pace_->serves(renderer_.get(), levers))
+        pace_ = PacedVolume::make(renderer_, levers, *fps_);
+    return pace_->moving(look());
 }
 
 void VolumeNode::resizeGLObjectBuffers(unsigned size)

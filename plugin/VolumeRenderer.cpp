@@ -1,6 +1,9 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "brickwall/plugin/VolumeRenderer.h"
 
+#include "brickwall/channels/FrameWork.h"
+#include "brickwall/channels/LeveredViews.h"
+
 #include <utility>
 
 namespace brickwall {
@@ -52,9 +55,26 @@ VolumeRenderer::VolumeRenderer(std::shared_ptr<const VolumeData> data) : data_(s
 
 std::vector<Frame> VolumeRenderer::render(const VolumeLook& look, std::span<const View> views, Progress& progress)
 {
+    return prepare(look, progress).render(views, renderSettings(look.options), progress);
+}
+
+std::vector<Frame> VolumeRenderer::render(const VolumeLook& look, std::span<const View> views,
+                                          const FrameLevers& levers, Progress& progress)
+{
+    const RenderSettings settings = withLevers(renderSettings(look.options), levers);
+    return prepare(look, progress).render(scaledViews(views, levers), settings, progress);
+}
+
+double VolumeRenderer::work(const VolumeLook& look, std::span<const View> views, Progress& progress)
+{
+    return workOf(prepare(look, progress), views, progress);
+}
+
+const Renderer& VolumeRenderer::prepare(const VolumeLook& look, Progress& progress)
+{
     if (stamp_ != look.stamp)
         take(look, progress);
-    return renderer_->render(views, renderSettings(look.options), progress);
+    return *renderer_;
 }
 
 void VolumeRenderer::take(const VolumeLook& look, Progress& progress)

@@ -1,6 +1,7 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "brickwall/channels/FrameLevers.h"
 #include "brickwall/core/scene/SceneSetup.h"
 
 #include <memory>
@@ -45,6 +46,13 @@ public:
 
     /// Throws as Renderer::render, and what reading throws if the look needs data that are not there.
     std::vector<Frame> render(const VolumeLook& look, std::span<const View> views, Progress& progress);
+    /// As accurately as the levers say, with as many pixels as they say (scaledView).
+    std::vector<Frame> render(const VolumeLook& look, std::span<const View> views, const FrameLevers& levers,
+                              Progress& progress);
+    /// Does what the look needs, which may be reading, and renders nothing.
+    const Renderer& prepare(const VolumeLook& look, Progress& progress);
+    /// What the views will have to do (workOf).
+    double work(const VolumeLook& look, std::span<const View> views, Progress& progress);
 
 private:
     void take(const VolumeLook& look, Progress& progress);

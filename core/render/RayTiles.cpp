@@ -43,21 +43,6 @@ bool mirroredInFront(const View& view)
     return atScreen > 0.0 && std::abs(atEye) < 1e-6 * atScreen;
 }
 
-void checkSceneDepth(const View& view)
-{
-    const PixelRect& w = view.window;
-    const PixelRect& d = view.sceneDepth->window;
-    const auto end = [](int begin, int extent) { return std::int64_t(begin) + extent; };
-    if (d.x > w.x || d.y > w.y || end(d.x, d.width) < end(w.x, w.width) || end(d.y, d.height) < end(w.y, w.height))
-        throw Error(fmt::format("view '{}'", view.name),
-                    fmt::format("expected a scene depth of its {} x {} pixels at ({}, {}), found {} x {} at ({}, {})",
-                                w.width, w.height, w.x, w.y, d.width, d.height, d.x, d.y));
-    const std::size_t pixels = std::size_t(d.width) * std::size_t(d.height);
-    if (view.sceneDepth->depth.size() != pixels)
-        throw Error(fmt::format("view '{}'", view.name), fmt::format("expected a scene depth of {} values, found {}",
-                                                                     pixels, view.sceneDepth->depth.size()));
-}
-
 void checkView(const View& view)
 {
     const std::string place = fmt::format("view '{}'", view.name);
@@ -69,8 +54,7 @@ void checkView(const View& view)
     if (!(eyeDistance(view) > 0.0) && !mirroredInFront(view))
         throw Error(place,
                     fmt::format("the eye has to be in front of its screen, found {:g} behind it", -eyeDistance(view)));
-    if (view.sceneDepth)
-        checkSceneDepth(view);
+    checkSceneDepth(view);
 }
 
 } // namespace

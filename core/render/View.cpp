@@ -165,6 +165,22 @@ void checkDepthRow(const std::string& place, const mat4d& clipFromWorld, const v
 
 } // namespace
 
+void checkSceneDepth(const View& view)
+{
+    if (!view.sceneDepth)
+        return;
+    const PixelRect &w = view.window, &d = view.sceneDepth->window;
+    const auto end = [](int begin, int extent) { return std::int64_t(begin) + extent; };
+    if (d.x > w.x || d.y > w.y || end(d.x, d.width) < end(w.x, w.width) || end(d.y, d.height) < end(w.y, w.height))
+        throw Error(placeOf(view.name),
+                    fmt::format("expected a scene depth of its {} x {} pixels at ({}, {}), found {} x {} at ({}, {})",
+                                w.width, w.height, w.x, w.y, d.width, d.height, d.x, d.y));
+    const std::size_t pixels = std::size_t(d.width) * std::size_t(d.height);
+    if (view.sceneDepth->depth.size() != pixels)
+        throw Error(placeOf(view.name), fmt::format("expected a scene depth of {} values, found {}", pixels,
+                                                    view.sceneDepth->depth.size()));
+}
+
 double eyeDistance(const View& view)
 {
     const vec3d area = glm::cross(view.lowerRight - view.lowerLeft, view.upperRight - view.lowerRight);

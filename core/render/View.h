@@ -54,6 +54,9 @@ struct View
     std::shared_ptr<const SceneDepth> sceneDepth = nullptr;
 };
 
+/// Throws Error, naming the view, if its scene depth has not all pixels of its window; does nothing without one.
+void checkSceneDepth(const View& view);
+
 /// The distance of the eye from the screen's plane along its normal (right x up, towards the viewer); positive for an
 /// eye in front, negative behind, and for the view of a host whose matrices mirror. World units.
 double eyeDistance(const View& view);

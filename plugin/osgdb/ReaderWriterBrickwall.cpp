@@ -2,6 +2,7 @@
 #include "FindData.h"
 #include "HostProgress.h"
 
+#include "brickwall/channels/FrameRate.h"
 #include "brickwall/core/io/OpenIfKnown.h"
 #include "brickwall/core/scene/SceneText.h"
 #include "brickwall/plugin/VolumeNode.h"
@@ -11,6 +12,7 @@
 #include <osgDB/FileUtils>
 #include <osgDB/Registry>
 
+#include <optional>
 #include <sstream>
 
 namespace brickwall {
@@ -27,12 +29,22 @@ std::string withoutPseudoExtension(const std::string& file, const osgDB::Options
     return file.substr(0, file.size() - pseudoExtension.size() - 1);
 }
 
-SceneOptions optionsFor(const std::string& data, const osgDB::Options* options)
+/// What the host's options say of a node.
+struct NodeOptions
 {
     SceneOptions scene;
+    std::optional<double> fps = usualFps;
+};
+
+NodeOptions optionsFor(const std::string& data, const osgDB::Options* options)
+{
+    NodeOptions node;
+    SceneOptions& scene = node.scene;
     if (options) {
         for (const std::string& word : readSceneText(options->getOptionString(), scene)) {
-            if (word.find('=') != std::string::npos)
+            if (word.rfind("fps=", 0) == 0)
+                node.fps = parseFps(word.substr(4), "fps");
+            else if (word.find('=') != std::string::npos)
                 OSG_NOTICE << "brickwall: the option " << word << " is none of ours" << std::endl;
         }
         if (!scene.transferFunction.empty()) {
@@ -41,7 +53,7 @@ SceneOptions optionsFor(const std::string& data, const osgDB::Options* options)
         }
     }
     scene.data = data;
-    return scene;
+    return node;
 }
 
 } // namespace
@@ -57,7 +69,7 @@ public:
         for (std::string extension; extensions >> extension;)
             supportsExtension(extension, "Brickwall: adaptive-mesh-refinement data");
         supportsOption("KEY=VALUE", "the scene's options, named as on the command line of brickwall: field, tf, "
-                                    "colormap, range, iso, tolerance, shading, ...");
+                                    "colormap, range, iso, tolerance, shading, ...; and fps");
     }
 
     const char* className() const override { return "Brickwall volume reader"; }
@@ -81,7 +93,9 @@ public:
             HostProgress progress;
             osg::ref_ptr<VolumeNode> node = new VolumeNode;
             node->setName(osgDB::getSimpleFileName(data));
-            node->load(optionsFor(data, options), progress);
+            const NodeOptions wanted = optionsFor(data, options);
+            node->load(wanted.scene, progress);
+            node->setFps(wanted.fps);
             return node.get();
         } catch (const std::exception& error) {
             return ReadResult(std::string(error.what()));

@@ -89,6 +89,25 @@ bool writeOwnFunction(osgDB::OutputStream& out, const VolumeNode& node)
     return true;
 }
 
+bool checkFps(const VolumeNode& node)
+{
+    return node.fps().has_value();
+}
+
+bool readFps(osgDB::InputStream& in, VolumeNode& node)
+{
+    double fps = 0.0;
+    in >> fps;
+    node.setFps(fps);
+    return true;
+}
+
+bool writeFps(osgDB::OutputStream& out, const VolumeNode& node)
+{
+    out << *node.fps() << std::endl;
+    return true;
+}
+
 bool checkTransform(const VolumeNode& node)
 {
     return !node.transform().isIdentity();
@@ -143,6 +162,8 @@ REGISTER_OBJECT_WRAPPER(brickwall_VolumeNode, new brickwall::VolumeNode, brickwa
     wrapper->addSerializer(
         new osgDB::UserSerializer<MyClass>("Transform", &checkTransform, &readTransform, &writeTransform),
         osgDB::BaseSerializer::RW_USER);
+    wrapper->addSerializer(new osgDB::UserSerializer<MyClass>("Fps", &checkFps, &readFps, &writeFps),
+                           osgDB::BaseSerializer::RW_USER);
     wrapper->addSerializer(new osgDB::PropByValSerializer<MyClass, bool>("SceneDepth", true, &MyClass::sceneDepth,
                                                                          &MyClass::setSceneDepth),
                            osgDB::BaseSerializer::RW_BOOL);

@@ -1,10 +1,17 @@
 // Copyright 2026 The Brickwall authors. SPDX-License-Identifier: Apache-2.0
 #include "brickwall/channels/LeveredViews.h"
 
+#include "brickwall/core/base/Error.h"
+#include "brickwall/core/base/SplitMix.h"
+
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace brickwall::test {
 namespace {
@@ -46,13 +53,41 @@ TEST(LeveredViews, FewerPixelsShowTheSamePartOfTheScreenUpright)
         }
 }
 
-TEST(LeveredViews, AViewOfOnePixelStaysOneAndOneWithTheDepthOfASceneIsLeftAsItIs)
+TEST(LeveredViews, AViewOfOnePixelStaysOne)
 {
-    View view = tileOf(slanted(), {7, 5, 1, 1});
+    const View view = tileOf(slanted(), {7, 5, 1, 1});
     EXPECT_EQ(scaledView(view, 1).window, (PixelRect{0, 0, 1, 1}));
-    view = slanted();
+}
+
+// What is drawn over a scene may not be hidden by a part of it that is nearer than the middle of a larger pixel.
+TEST(LeveredViews, OfASceneEachPixelHasTheNearestDepthThatItCovers)
+{
+    View view = tileOf(slanted(), {30, 12, 43, 29});
+    const PixelRect &w = view.window, depthWindow{25, 10, 50, 40};
+    SceneDepth scene{depthWindow, {}};
+    for (int i = 0; i < depthWindow.width * depthWindow.height; ++i)
+        scene.depth.push_back(i % 3 == 0 ? 1.0f : std::ldexp(float(splitMix(std::uint64_t(i)) >> 44), -20));
+    view.sceneDepth = std::make_shared<SceneDepth>(scene);
+    const auto overlap = [](int pixel, int pixels, int coarse, int coarsePixels) {
+        return pixel * coarsePixels < (coarse + 1) * pixels && (pixel + 1) * coarsePixels > coarse * pixels;
+    };
+    for (int eighths = 1; eighths < 8; ++eighths) {
+        const View scaled = scaledView(view, eighths);
+        const PixelRect& s = scaled.window;
+        ASSERT_EQ(scaled.sceneDepth->window, s);
+        std::vector<float> nearest(std::size_t(s.width) * s.height, 1.0f);
+        for (int y = 0; y < w.height; ++y)
+            for (int x = 0; x < w.width; ++x)
+                for (int i = 0; i < int(nearest.size()); ++i)
+                    if (overlap(x, w.width, i % s.width, s.width) && overlap(y, w.height, i / s.width, s.height))
+                        nearest[i] = std::min(
+                            nearest[i],
+                            scene.depth[(w.y + y - depthWindow.y) * depthWindow.width + w.x + x - depthWindow.x]);
+        EXPECT_EQ(scaled.sceneDepth->depth, nearest) << eighths << "/8";
+    }
+    EXPECT_EQ(scaledView(view, 8).sceneDepth, view.sceneDepth);
     view.sceneDepth = std::make_shared<SceneDepth>();
-    EXPECT_EQ(scaledView(view, 4).window, view.window);
+    EXPECT_THROW(scaledView(view, 4), Error);
 }
 
 TEST(LeveredViews, EachMethodHasItsOwnLevers)

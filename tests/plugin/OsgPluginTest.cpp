@@ -80,7 +80,8 @@ TEST(OsgPlugin, OsgtHasTheNameAndThePropertiesAndNotTheCells)
     BRICKWALL_NEEDS_OSGVIEWER();
     const HostScene scene("color-field=pressure iso=0.5 volume=off light=1,2,3 plane=0,0,1,0");
     const std::string text = scratchFile("a.osgt"), binary = scratchFile("b.osgb"), again = scratchFile("c.osgt");
-    convert("-O \"color-field=pressure iso=0.5 volume=off light=1,2,3 plane=0,0,1,0\" " + scene.file + " " + text);
+    convert("-O \"color-field=pressure iso=0.5 volume=off light=1,2,3 plane=0,0,1,0 fps=12.5\" " + scene.file + " " +
+            text);
     ASSERT_TRUE(fs::exists(text));
     EXPECT_LT(fs::file_size(text), 4096u);
     EXPECT_NE(contentOf(text).find("brickwall::VolumeNode"), std::string::npos);
@@ -88,6 +89,7 @@ TEST(OsgPlugin, OsgtHasTheNameAndThePropertiesAndNotTheCells)
     EXPECT_NE(contentOf(text).find("color-field=pressure volume=off iso=0.5 light=1,2,3 plane=0,0,1,0"),
               std::string::npos)
         << contentOf(text);
+    EXPECT_NE(contentOf(text).find("Fps 12.5"), std::string::npos) << contentOf(text);
     convert(text + " " + binary);
     convert(binary + " " + again);
     EXPECT_EQ(contentOf(again), contentOf(text));
@@ -124,6 +126,9 @@ TEST(OsgPlugin, SaysInOneLineWhatIsWrongAndTheHostGoesOn)
     EXPECT_FALSE(fs::exists(good));
     const std::string option = convert("-O tolerance=7 sample:wake:60k.brickwall " + good);
     EXPECT_NE(option.find("--tolerance: expected a number above 0"), std::string::npos) << option;
+    const std::string rate = convert("-O fps=61 sample:wake:60k.brickwall " + good);
+    EXPECT_NE(rate.find("fps: expected 5 to 60 frames per second, or off, found 61"), std::string::npos) << rate;
+    EXPECT_FALSE(fs::exists(good));
     // A file that names data which are gone still loads, with a notice.
     std::ofstream(good) << "#Ascii Scene\n#Version 162\n#Generator OpenSceneGraph 3.6.5\n\n"
                            "brickwall::VolumeNode {\n  UniqueID 1\n  Data \"/no/such.exa\"\n  SceneDepth FALSE\n}\n";
