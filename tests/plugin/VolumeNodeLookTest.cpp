@@ -38,28 +38,46 @@ TEST(VolumeNode, ChangesOfPropertiesAreCountedAndShown)
     EXPECT_EQ(node->lookStamp(), look + 2);
 }
 
-/// Moves what was loaded to the origin, 3 in radius.
-osg::Matrixd centred(VolumeNode& node)
+osg::ref_ptr<VolumeNode> loaded(const SceneOptions& options)
 {
-    const osg::BoundingSphere bounds = node.getBound();
-    const osg::Matrixd nodeFromModel =
-        osg::Matrixd::translate(-bounds.center()) * osg::Matrixd::scale(osg::Vec3d(1, 1, 1) * (3.0 / bounds.radius()));
-    node.setTransform(nodeFromModel);
-    return nodeFromModel;
+    Progress silent;
+    osg::ref_ptr<VolumeNode> node = new VolumeNode;
+    node->load(options, silent);
+    return node;
 }
+
+/// A node of a file, shown at the origin, 3 in radius.
+struct ShownNode
+{
+    explicit ShownNode(const SceneOptions& options) : node(loaded(options)), viewer(node)
+    {
+        const osg::BoundingSphere bounds = node->getBound();
+        node->setTransform(osg::Matrixd::translate(-bounds.center()) *
+                           osg::Matrixd::scale(osg::Vec3d(1, 1, 1) * (3.0 / bounds.radius())));
+        viewer.settle(*node);
+        data = node->dataStamp();
+        look = node->lookStamp();
+    }
+    void expect(const Scene& scene, const RenderSettings& settings = {})
+    {
+        viewer.settle(*node);
+        const Frame frame = renderOne(scene, viewer.view(node->transform()), settings);
+        expectPicture(*viewer.picture(), whole,
+                      [&](int x, int y) { return composed(frame, x, y, viewer.background()); });
+    }
+
+    const osg::ref_ptr<VolumeNode> node;
+    NodeViewer viewer;
+    unsigned data = 0, look = 0; ///< stamps at the start
+};
 
 TEST(VolumeNode, PlanesClipAndLightAreChangedWithoutReading)
 {
     BRICKWALL_NEEDS_DISPLAY();
     SceneOptions options;
     options.data = "sample:wake:60k";
-    Progress silent;
-    const osg::ref_ptr<VolumeNode> node = new VolumeNode;
-    node->load(options, silent);
-    const osg::Matrixd nodeFromModel = centred(*node);
-    NodeViewer shown(node);
-    shown.settle(*node);
-    const unsigned data = node->dataStamp(), look = node->lookStamp();
+    ShownNode shown(options);
+    const osg::ref_ptr<VolumeNode> node = shown.node;
 
     ClipRegion clip;
     clip.planes = {{{0, 0, -1}, -0.5}};
@@ -69,8 +87,9 @@ TEST(VolumeNode, PlanesClipAndLightAreChangedWithoutReading)
     node->setLight(Light{{0.2, 1.0, 0.5}, 0.3f});
     node->setSpecular({0.5f, 8.0f});
     node->setAmbientOcclusion(AmbientOcclusion{1.5, 4});
-    EXPECT_EQ(node->lookStamp(), look + 5);
-    EXPECT_EQ(node->dataStamp(), data);
+    EXPECT_EQ(node->lookStamp(), shown.look + 5);
+    EXPECT_EQ(node->dataStamp(), shown.data);
+    Progress silent;
     Scene scene = prepareScene(options, Executor(1), silent).scene;
     scene.planes = {{{{0, 0, 1}, 0.0}, 0.7f}, {{{1, 0, 0}, 1.0}, 0.7f}};
     scene.clip = clip;
@@ -78,12 +97,7 @@ TEST(VolumeNode, PlanesClipAndLightAreChangedWithoutReading)
     settings.light = Light{{0.2, 1.0, 0.5}, 0.3f};
     settings.specular = {0.5f, 8.0f};
     settings.ambientOcclusion = AmbientOcclusion{1.5, 4};
-    const auto expectShown = [&] {
-        shown.settle(*node);
-        const Frame frame = renderOne(scene, shown.view(nodeFromModel), settings);
-        expectPicture(*shown.picture(), whole, [&](int x, int y) { return composed(frame, x, y, shown.background()); });
-    };
-    expectShown();
+    shown.expect(scene, settings);
     node->setPlanes({});
     node->setClip({});
     node->setLight({});
@@ -94,7 +108,7 @@ TEST(VolumeNode, PlanesClipAndLightAreChangedWithoutReading)
     settings.light.reset();
     settings.specular = {};
     settings.ambientOcclusion.reset();
-    expectShown();
+    shown.expect(scene, settings);
 }
 
 TEST(VolumeNode, HasColoursOfAnotherFieldByAPropertyOrByItsTransferFunction)
@@ -104,39 +118,30 @@ TEST(VolumeNode, HasColoursOfAnotherFieldByAPropertyOrByItsTransferFunction)
     options.data = "sample:wake:60k";
     options.iso = {0.7};
     options.volume = "off";
-    Progress silent;
-    const osg::ref_ptr<VolumeNode> node = new VolumeNode;
-    node->load(options, silent);
-    const osg::Matrixd nodeFromModel = centred(*node);
-    NodeViewer shown(node);
-    shown.settle(*node);
-    const unsigned data = node->dataStamp(), look = node->lookStamp();
-    const auto expectShown = [&](const Scene& scene) {
-        shown.settle(*node);
-        const Frame frame = renderOne(scene, shown.view(nodeFromModel), {});
-        expectPicture(*shown.picture(), whole, [&](int x, int y) { return composed(frame, x, y, shown.background()); });
-    };
+    ShownNode shown(options);
+    const osg::ref_ptr<VolumeNode> node = shown.node;
     node->setColorField("pressure", {-0.4f, 0.4f});
-    EXPECT_EQ(node->dataStamp(), data + 1) << "another field is read";
-    EXPECT_EQ(node->lookStamp(), look + 1);
+    EXPECT_EQ(node->dataStamp(), shown.data + 1) << "another field is read";
+    EXPECT_EQ(node->lookStamp(), shown.look + 1);
     options.colorField = "pressure";
     options.colorRange = {-0.4f, 0.4f};
+    Progress silent;
     const Scene scene = prepareScene(options, Executor(1), silent).scene;
     ASSERT_TRUE(scene.colorField);
-    expectShown(scene);
+    shown.expect(scene);
 
     TransferFunction tf = scene.transferFunction;
     tf.colorField->range = {-0.2f, 0.1f};
     node->setTransferFunction(tf);
-    EXPECT_EQ(node->dataStamp(), data + 1) << "this field is there";
+    EXPECT_EQ(node->dataStamp(), shown.data + 1) << "this field is there";
     Scene other = scene;
     other.transferFunction = tf;
-    expectShown(other);
+    shown.expect(other);
 
     node->setTransferFunction({});
     node->setColorField("");
     node->setTransferFunction(tf);
-    expectShown(other);
+    shown.expect(other);
     EXPECT_NE(errorOf([&] { node->setColorField("pressure", {1.0f, 1.0f}); }), "");
 }
 
