@@ -10,7 +10,7 @@ namespace brickwall {
 namespace {
 
 constexpr double littleNoise = 0.065;  ///< up to which no quiet is needed
-constexpr double fullNoise = 0.085;    ///< from which on quietSeconds count in full
+constexpr double fullNoise = 0.07;     ///< from which on quietSeconds count in full
 constexpr double surprise = 4.0;       ///< standard deviations
 constexpr double vain = 0.5;           ///< seconds; a raise that is taken back before was one too many
 constexpr double firstPatience = 0.25; ///< seconds
@@ -20,6 +20,7 @@ constexpr std::size_t confirmed = 3;   ///< frames
 constexpr double loadHasRisen = 0.7;
 constexpr int mostInVain = 3;
 constexpr double pressing = 0.5;   ///< a time that is too long by 65 % is answered at once, however noisy it is
+constexpr double sureRise = 2.0;   ///< standard deviations that a raise stays below what is expected of it
 constexpr double leastTry = 0.12;  ///< where a little more was in vain
 constexpr double leastMove = 0.02; ///< 2 % of time are not worth a change
 constexpr double shortest = 1e-7, longest = 1e6; ///< seconds, what is beyond counts as that
@@ -137,10 +138,16 @@ const FrameDecision& FrameTime::decide(double work)
     return decision_;
 }
 
+/// From 0, where times say what they mean, to 1.
+double FrameTime::noisiness() const
+{
+    return std::clamp((load_.noise() - littleNoise) / (fullNoise - littleNoise), 0.0, 1.0);
+}
+
 std::optional<double> FrameTime::wantedFactor(double load)
 {
     const double expected = load + cost_.logFactor(decision_.levers) - logTarget();
-    const double noisy = std::clamp((load_.noise() - littleNoise) / (fullNoise - littleNoise), 0.0, 1.0);
+    const double noisy = noisiness();
     const bool quiet = sinceChange_ >= noisy * config_.quietSeconds;
     const double doubt = changed_ || raising_ ? 0.0 : config_.wantedUncertainty * load_.uncertainty();
     const double missing = expected - std::log(config_.aim);
@@ -177,7 +184,8 @@ std::optional<double> FrameTime::lower(double load)
     return wanted < good - loadHasRisen ? wanted : good;
 }
 
-/// Step by step; the steps follow each other without waiting.
+/// Step by step; the steps follow each other without waiting. Where times are noisy they have to wait, and each goes as
+/// far as is surely good.
 std::optional<double> FrameTime::higher(double load)
 {
     const std::optional<double> measured = load_.logTimeAtNewest(2, 3);
@@ -189,7 +197,10 @@ std::optional<double> FrameTime::higher(double load)
     const double wanted = std::min(logTarget() + std::log(config_.aim) - load, 0.0);
     const double safe = logTarget() + std::log(config_.safeRise) - load;
     const double known = std::max(0.0, logWorkBefore_ - logWork_); // that there is less to do is no experiment
-    double factor = std::min(wanted, std::max(safe, now + known + std::log(config_.fastestRise)));
+    const double noisy = noisiness(),
+                 step = std::lerp(std::log(config_.fastestRise), std::log(config_.noisyRise), noisy);
+    const double sure = wanted - noisy * sureRise * load_.uncertainty();
+    double factor = std::min(sure, std::max(safe, now + known + step));
     const double limit = tooFine_ ? std::min(wanted, 0.5 * (now + cost_.logFactor(*tooFine_))) : wanted;
     factor = std::min(factor, limit);
     while (factor < limit && cost_.logFactor(cost_.solve(factor)) < now + leastMove) // less than an eighth of the image

@@ -16,6 +16,7 @@ struct FrameTimeConfig
     double bandHigh = 1.10;
     double aim = 0.97;              ///< what levers are moved to
     double fastestRise = 1.3;       ///< of the time by one decision, where there is time left
+    double noisyRise = 4.0;         ///< instead, where times are noisy and a decision has to last for quietSeconds
     double safeRise = 0.5;          ///< up to this part of the target it rises at once
     double quietSeconds = 1.05;     ///< between decisions that no change of the load asks for, where there is noise
     double longestPatience = 2.0;   ///< seconds that levers stay down where going up was in vain again and again
@@ -73,6 +74,7 @@ public:
 
 private:
     double learn(const FrameLoad::LeverChange& moved);
+    double noisiness() const;
     void forgetTries();
     void watchLoad();
     /// To what the logarithm of the levers' factor shall be changed, if it shall.

@@ -111,6 +111,32 @@ TEST(FrameTime, WhatIsSlowNoMoreGetsItsAccuracyBackWithinASecondAndWithoutOversh
         }
 }
 
+// Steps of 30 %, one a second, once took five seconds to a quarter of the load.
+TEST(FrameTime, BehindNoiseWhatIsSlowNoMoreGetsItsAccuracyBackWithinTwoSeconds)
+{
+    constexpr int runs = 40, falls = 100, end = 400;
+    for (const double noise : {0.1, 0.2})
+        for (const double factor : {0.25, 0.5}) {
+            SCOPED_TRACE(std::to_string(noise) + " noise, load x " + std::to_string(factor));
+            double framesToReturn = 0.0;
+            for (unsigned seed = 1; seed <= runs; ++seed) {
+                Plant plant;
+                plant.finestSeconds = 0.3;
+                plant.noise = noise;
+                plant.seed = seed;
+                plant.load = [factor](int frame) { return frame < falls ? 1.0 : factor; };
+                FrameTime controller(leversForTolerance(wanted));
+                const auto flown = fly(plant, controller, end);
+                const auto back = std::find_if(flown.begin() + falls, flown.end(),
+                                               [](const FlownFrame& f) { return f.expected >= 0.8 * target; });
+                framesToReturn += double(back - (flown.begin() + falls)) / runs;
+                for (auto frame = back; frame != flown.end(); ++frame)
+                    EXPECT_LE(frame->expected, 1.4 * target) << "seed " << seed;
+            }
+            EXPECT_LE(framesToReturn, 40.0);
+        }
+}
+
 TEST(FrameTime, AConstantLoadLeadsToConstantLevers)
 {
     for (Plant plant : plants())
