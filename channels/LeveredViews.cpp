@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace brickwall {
 namespace {
@@ -41,15 +42,20 @@ std::shared_ptr<const SceneDepth> nearestDepths(const View& view, const PixelRec
     const SceneDepth& scene = *view.sceneDepth;
     const PixelRect& w = view.window;
     auto result = std::make_shared<SceneDepth>(SceneDepth{to, {}});
-    result->depth.assign(std::size_t(to.width) * to.height, 1.0f);
-    for (int row = 0; row < to.height; ++row)
+    result->depth.reserve(std::size_t(to.width) * to.height);
+    std::vector<float> nearest; // of the rows that a row covers
+    for (int row = 0; row < to.height; ++row) {
+        nearest.assign(std::size_t(w.width), 1.0f);
         for (int y = firstOf(row, w.height, to.height); y < endOf(row, w.height, to.height); ++y) {
-            const float* depths = &scene.depth[std::size_t(w.y - scene.window.y + y) * scene.window.width];
-            float* nearest = &result->depth[std::size_t(row) * to.width];
-            for (int column = 0; column < to.width; ++column)
-                for (int x = firstOf(column, w.width, to.width); x < endOf(column, w.width, to.width); ++x)
-                    nearest[column] = std::min(nearest[column], depths[w.x - scene.window.x + x]);
+            const float* depths =
+                &scene.depth[std::size_t(w.y - scene.window.y + y) * scene.window.width + (w.x - scene.window.x)];
+            for (int x = 0; x < w.width; ++x)
+                nearest[x] = std::min(nearest[x], depths[x]);
         }
+        for (int column = 0; column < to.width; ++column)
+            result->depth.push_back(*std::min_element(nearest.begin() + firstOf(column, w.width, to.width),
+                                                      nearest.begin() + endOf(column, w.width, to.width)));
+    }
     return result;
 }
 
