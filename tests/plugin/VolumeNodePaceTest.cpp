@@ -46,72 +46,68 @@ struct SlowCube
     const osg::ref_ptr<osg::Group> group = new osg::Group;
 };
 
-/// Turns the cube until its pictures are coarse; the angle.
-double turnUntilCoarse(NodeViewer& shown, SlowCube& cube)
+/// Such a cube in a window, held at 60 frames per second and turned until its pictures are coarse.
+class VolumeNodePaceCube : public ::testing::Test
 {
+protected:
+    void SetUp() override
+    {
+        BRICKWALL_NEEDS_DISPLAY();
+        cube.emplace(fps);
+        shown.emplace(cube->group);
+        EXPECT_EQ(cube->node->frameTime(), "");
+        for (const auto start = Clock::now(); !cube->isCoarse() && Clock::now() - start < std::chrono::minutes(3);)
+            for (int i = 0; i < 10; ++i) {
+                cube->turn(angle += 0.01);
+                shown->viewer.frame();
+            }
+        EXPECT_TRUE(cube->isCoarse()) << cube->node->frameTime();
+    }
+    /// As of another node with this transfer function and no frame rate, from the same place.
+    void expectTheOptionsPicture(std::optional<TransferFunction> tf = {})
+    {
+        shown->settle(*cube->node);
+        EXPECT_FALSE(cube->isCoarse());
+        const osg::ref_ptr<osg::Image> held = shown->picture();
+        SlowCube other({});
+        other.node->setTransferFunction(std::move(tf));
+        other.turn(angle);
+        shown->viewer.setSceneData(other.group);
+        shown->settle(*other.node);
+        const osg::ref_ptr<osg::Image> wanted = shown->picture();
+        expectPicture(*held, whole, [&](int x, int y) { return pixel(*wanted, x, y); });
+    }
+
+    std::optional<SlowCube> cube;
+    std::optional<NodeViewer> shown;
     double angle = 0.0;
-    for (const auto start = Clock::now(); !cube.isCoarse() && Clock::now() - start < std::chrono::minutes(3);)
-        for (int i = 0; i < 10; ++i) {
-            cube.turn(angle += 0.01);
-            shown.viewer.frame();
-        }
-    EXPECT_TRUE(cube.isCoarse()) << cube.node->frameTime();
-    return angle;
+};
+
+TEST_F(VolumeNodePaceCube, WhatMovesIsHeldAndWhatRestsIsRefinedUntilItIsAsTheOptionsSay)
+{
+    EXPECT_FALSE(cube->node->settled());
+    shown->settle(*cube->node);
+    EXPECT_NE(cube->node->frameTime().find("at rest"), std::string::npos) << cube->node->frameTime();
+    expectTheOptionsPicture();
 }
 
-/// As of another node with this transfer function and no frame rate, from the same place.
-void expectTheOptionsPicture(NodeViewer& shown, SlowCube& cube, double angle, std::optional<TransferFunction> tf = {})
+TEST_F(VolumeNodePaceCube, GivenUpItIsRenderedAsTheOptionsSayAtOnce)
 {
-    shown.settle(*cube.node);
-    EXPECT_FALSE(cube.isCoarse());
-    const osg::ref_ptr<osg::Image> held = shown.picture();
-    SlowCube other({});
-    other.node->setTransferFunction(std::move(tf));
-    other.turn(angle);
-    shown.viewer.setSceneData(other.group);
-    shown.settle(*other.node);
-    const osg::ref_ptr<osg::Image> wanted = shown.picture();
-    expectPicture(*held, whole, [&](int x, int y) { return pixel(*wanted, x, y); });
-}
-
-TEST(VolumeNodePace, WhatMovesIsHeldAndWhatRestsIsRefinedUntilItIsAsTheOptionsSay)
-{
-    BRICKWALL_NEEDS_DISPLAY();
-    SlowCube cube(fps);
-    NodeViewer shown(cube.group);
-    EXPECT_EQ(cube.node->frameTime(), "");
-    const double angle = turnUntilCoarse(shown, cube);
-    EXPECT_FALSE(cube.node->settled());
-    shown.settle(*cube.node);
-    EXPECT_NE(cube.node->frameTime().find("at rest"), std::string::npos) << cube.node->frameTime();
-    expectTheOptionsPicture(shown, cube, angle);
-}
-
-TEST(VolumeNodePace, GivenUpItIsRenderedAsTheOptionsSayAtOnce)
-{
-    BRICKWALL_NEEDS_DISPLAY();
-    SlowCube cube(fps);
-    NodeViewer shown(cube.group);
-    const double angle = turnUntilCoarse(shown, cube);
     for (int i = 0; i < 3; ++i)
-        shown.viewer.frame(); // the last movement has been asked for, and nothing else would ask again
-    cube.node->setFps({});
-    EXPECT_EQ(cube.node->frameTime(), "");
-    expectTheOptionsPicture(shown, cube, angle);
+        shown->viewer.frame(); // the last movement has been asked for, and nothing else would ask again
+    cube->node->setFps({});
+    EXPECT_EQ(cube->node->frameTime(), "");
+    expectTheOptionsPicture();
 }
 
-TEST(VolumeNodePace, AnotherLookIsHeldToo)
+TEST_F(VolumeNodePaceCube, InAnotherLookIsHeldToo)
 {
-    BRICKWALL_NEEDS_DISPLAY();
-    SlowCube cube(fps);
-    NodeViewer shown(cube.group);
-    const double angle = turnUntilCoarse(shown, cube);
     Scene scene = cubeScene();
     scene.transferFunction.opacityScale = 0.3f;
-    cube.node->setTransferFunction(scene.transferFunction);
-    shown.viewer.frame();
-    EXPECT_FALSE(cube.node->settled());
-    expectTheOptionsPicture(shown, cube, angle, scene.transferFunction);
+    cube->node->setTransferFunction(scene.transferFunction);
+    shown->viewer.frame();
+    EXPECT_FALSE(cube->node->settled());
+    expectTheOptionsPicture(scene.transferFunction);
 }
 
 TEST(VolumeNodePace, FramesPerSecondStayWithinTheirLimitsAndAreCopied)

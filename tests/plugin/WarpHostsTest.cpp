@@ -135,22 +135,33 @@ TEST(WarpHosts, EveryThreadingModelOfOsgViewerShowsEveryWindowRight)
     }
 }
 
+/// An image of so many times fewer columns and rows than the window has.
+void publishReduced(WarpedRig& desk, int factor)
+{
+    View view = desk.views.views[0].view;
+    view.window = {0, 0, width / factor, height / factor};
+    desk.publish(0, patternFrame(view, factor));
+}
+
+void expectReduced(WarpedRig& desk, int factor)
+{
+    expectPicture(*desk.drawOne(), {0, 0, width, height},
+                  [&](int x, int y) { return composed(desk.frames[0], x / factor, y / factor, background); });
+}
+
 TEST(WarpHosts, AViewThatChangesItsSizeIsShownRight)
 {
     BRICKWALL_NEEDS_DISPLAY();
     WarpedRig desk(deskRig(width, height));
     desk.drawer->setViewsToRender(MultiChannelDrawer::MatchingEye);
     for (const int factor : {2, 1, 4, 1}) {
-        View view = desk.views.views[0].view;
-        view.window = {0, 0, width / factor, height / factor};
-        desk.publish(0, patternFrame(view, factor));
+        publishReduced(desk, factor);
         for (const auto& [name, mode] : warpingModes) {
             SCOPED_TRACE(std::string(name) + " " + std::to_string(factor));
             if (isMesh(mode) && factor > 1)
                 continue; // it is smooth between pixels
             desk.drawer->setMode(mode);
-            expectPicture(*desk.drawOne(), {0, 0, width, height},
-                          [&](int x, int y) { return composed(desk.frames[0], x / factor, y / factor, background); });
+            expectReduced(desk, factor);
         }
     }
 }
@@ -164,19 +175,13 @@ TEST(WarpHosts, AViewThatChangesItsSizeTwiceBetweenDrawsIsShownRight)
     WarpedRig desk(deskRig(width, height));
     desk.drawer->setViewsToRender(MultiChannelDrawer::MatchingEye);
     desk.drawer->setMode(MultiChannelDrawer::Reproject);
-    View view = desk.views.views[0].view;
-    const auto publish = [&](int factor) {
-        view.window = {0, 0, width / factor, height / factor};
-        desk.publish(0, patternFrame(view, factor));
-    };
     for (int round = 0; round < 20; ++round) {
         SCOPED_TRACE(round);
-        publish(1);
+        publishReduced(desk, 1);
         desk.drawOne();
-        publish(2);
-        publish(4);
-        expectPicture(*desk.drawOne(), {0, 0, width, height},
-                      [&](int x, int y) { return composed(desk.frames[0], x / 4, y / 4, background); });
+        publishReduced(desk, 2);
+        publishReduced(desk, 4);
+        expectReduced(desk, 4);
     }
 }
 
