@@ -43,6 +43,8 @@ public:
     /// What was completed last is as the user wants it, and has all its samples.
     bool refined() const;
 
+    /// That it was made with.
+    const LeverTable& levers() const { return controller_.cost().table(); }
     std::optional<double> fps() const;
     /// Within lowestFps and highestFps, or else the nearest of them.
     void setFps(std::optional<double> fps);

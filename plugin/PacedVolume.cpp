@@ -12,17 +12,11 @@ std::shared_ptr<PacedVolume> PacedVolume::make(std::shared_ptr<VolumeRenderer> r
 
 PacedVolume::PacedVolume(std::shared_ptr<VolumeRenderer> renderer, LeverTable levers, double fps)
     : renderer_(std::move(renderer)),
-      levers_(std::move(levers)),
       pace_([this](std::span<const View> views, const FrameLevers& paid,
                    Progress& progress) { return renderer_->render(look_, views, paid, progress); },
-            levers_, fps,
+            std::move(levers), fps,
             [this](std::span<const View> views, Progress& progress) { return renderer_->work(look_, views, progress); })
 {
-}
-
-bool PacedVolume::serves(const VolumeRenderer* renderer, const LeverTable& levers) const
-{
-    return renderer_.get() == renderer && levers_ == levers;
 }
 
 FrameMaker PacedVolume::maker(VolumeLook look, FrameMaker paced)

@@ -17,11 +17,9 @@ public:
     /// The levers are those of the looks to come (leversOf). Their finest setting is the looks' own.
     static std::shared_ptr<PacedVolume> make(std::shared_ptr<VolumeRenderer> renderer, LeverTable levers, double fps);
 
-    /// Whether this serves looks of that renderer with these levers.
-    bool serves(const VolumeRenderer* renderer, const LeverTable& levers) const;
-
     FrameMaker moving(VolumeLook look) { return maker(std::move(look), pace_.moving()); }
     FrameMaker resting(VolumeLook look) { return maker(std::move(look), pace_.resting()); }
+    const LeverTable& levers() const { return pace_.levers(); }
     bool refined() const { return pace_.refined(); }
     void setFps(double fps) { pace_.setFps(fps); }
     std::string status() const { return pace_.status(); }
@@ -31,7 +29,6 @@ private:
     FrameMaker maker(VolumeLook look, FrameMaker paced);
 
     const std::shared_ptr<VolumeRenderer> renderer_;
-    const LeverTable levers_;
     VolumeLook look_; ///< of the call that is running
     FramePace pace_;
 };

@@ -3,7 +3,6 @@
 
 #include <chrono>
 #include <thread>
-#include <utility>
 
 namespace brickwall {
 
@@ -51,8 +50,7 @@ bool RigShow::followPose(const FrameMaker& makeFrames)
     const mat4d roomFromWorld = navigation_.roomFromWorld();
     windows_.show(views, roomFromWorld);
     requested_ = windows_.requestOf(views, roomFromWorld);
-    const bool outdated = std::exchange(refining_, false);
-    request_ = rendering_.request(requested_, makeFrames, outdated);
+    request_ = rendering_.request(requested_, makeFrames);
     finishing_ = &makeFrames == &finished_;
     return true;
 }
@@ -62,9 +60,8 @@ void RigShow::refine()
 {
     if (requested_.empty() || pace_->refined())
         return;
-    refining_ = true;
     finishing_ = false;
-    request_ = rendering_.request(requested_, pace_->resting());
+    request_ = rendering_.refine(requested_, pace_->resting());
 }
 
 bool RigShow::step()

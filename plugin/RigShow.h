@@ -63,7 +63,6 @@ private:
     osg::ref_ptr<RigControls> controls_;
     std::vector<RequestedView> requested_; ///< last
     unsigned request_ = 0;                 ///< its number
-    bool refining_ = false;                ///< it is a refinement
     bool finishing_ = false;               ///< it is as accurate as the user wants it
     ViewRendering rendering_;              ///< last: it ends before what it writes to does
 };

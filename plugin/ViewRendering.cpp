@@ -45,11 +45,24 @@ ViewRendering::~ViewRendering()
 unsigned ViewRendering::request(std::vector<RequestedView> views, FrameMaker makeFrames, bool outdated)
 {
     const std::lock_guard lock(mutex_);
-    newest_ = Request{++lastNumber_, std::move(views), std::move(makeFrames)};
+    outdated = std::exchange(refining_, false) || outdated;
     if (outdated && running_ && !cancelledBefore_) {
         running_->cancel();
         cancelledBefore_ = true;
     }
+    return replaceNewest(std::move(views), std::move(makeFrames));
+}
+
+unsigned ViewRendering::refine(std::vector<RequestedView> views, FrameMaker makeFrames)
+{
+    const std::lock_guard lock(mutex_);
+    refining_ = true;
+    return replaceNewest(std::move(views), std::move(makeFrames));
+}
+
+unsigned ViewRendering::replaceNewest(std::vector<RequestedView> views, FrameMaker makeFrames)
+{
+    newest_ = Request{++lastNumber_, std::move(views), std::move(makeFrames)};
     changed_.notify_all();
     return lastNumber_;
 }

@@ -51,6 +51,8 @@ public:
     /// completed, or else a moving head would never see a picture, unless `outdated`: what it renders is no longer what
     /// is shown (another transfer function). Even then every second one is completed.
     unsigned request(std::vector<RequestedView> views, FrameMaker makeFrames, bool outdated = false);
+    /// A better picture of what was asked for last: it is cancelled as outdated by the next request.
+    unsigned refine(std::vector<RequestedView> views, FrameMaker makeFrames);
 
     /// Swaps the drawer's images if a whole set waits for that, and returns the number of its request. Throws what the
     /// FrameMaker has thrown, once.
@@ -74,6 +76,7 @@ private:
         FrameMaker makeFrames;
     };
 
+    unsigned replaceNewest(std::vector<RequestedView> views, FrameMaker makeFrames);
     std::optional<unsigned> swap();
     void loop();
     void renderNewest(std::unique_lock<std::mutex>& lock);
@@ -89,6 +92,7 @@ private:
     std::exception_ptr failure_;
     bool writing_ = false;
     bool cancelledBefore_ = false;
+    bool refining_ = false; ///< by the latest request
     bool stop_ = false;
     unsigned lastNumber_ = 0;
     unsigned structure_ = 0; ///< counts the calls of restructure

@@ -74,6 +74,7 @@ void VolumeNode::showData(std::shared_ptr<const VolumeData> data)
     makeFrames_ = nullptr;
     modelBounds_ = data_->prepared.bounds;
     renderer_ = std::make_shared<VolumeRenderer>(data_);
+    pace_.reset();
     ++lookStamp_;
     dirtyBound();
 }
@@ -82,6 +83,7 @@ void VolumeNode::show(FrameMaker makeFrames, const Box3d& bounds)
 {
     data_.reset();
     renderer_.reset();
+    pace_.reset();
     options_.data.clear();
     makeFrames_ = std::move(makeFrames);
     modelBounds_ = bounds;

@@ -129,7 +129,6 @@ private:
     bool waitsForDepth();
     VolumeLook look() const;
     FrameMaker makerOfLook();
-    void request(std::vector<RequestedView> views, bool outdated);
     void refine();
     void placeOccluders();
 
@@ -142,7 +141,7 @@ private:
     Box3d modelBounds_;                              ///< of the model's world space; empty: nothing is shown
     FrameMaker makeFrames_;                          ///< of a program
     std::optional<double> fps_;
-    std::shared_ptr<PacedVolume> pace_; ///< of the requests since the last change of the levers; null: nothing is held
+    std::shared_ptr<PacedVolume> pace_; ///< of this renderer and the levers of the latest look; null: nothing is held
     unsigned dataStamp_ = 0;
     unsigned lookStamp_ = 0;
 
@@ -157,7 +156,6 @@ private:
     std::optional<unsigned> requestedLook_;
     unsigned request_ = 0; ///< number of the latest
     std::optional<unsigned> published_;
-    bool refining_ = false; ///< the latest request is for a better picture of what is shown
     bool settled_ = false;
     bool notedFlat_ = false;
     std::unique_ptr<ViewRendering> rendering_; ///< last: it ends before what it writes to does

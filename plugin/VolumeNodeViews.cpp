@@ -73,29 +73,22 @@ void VolumeNode::update(unsigned frame)
     const bool newLook = requestedLook_ != lookStamp_;
     const bool newViews = !sameViews(views, requested_);
     if (newLook || newViews) {
-        if (!views.empty() && !waitsForDepth())
-            request(std::move(views), newLook);
+        if (!views.empty() && !waitsForDepth()) {
+            request_ = rendering_->request(views, makerOfLook(), newLook);
+            requestedLook_ = lookStamp_;
+            requested_ = std::move(views);
+        }
     } else {
         refine();
     }
     settled_ = !requested_.empty() && !newLook && !newViews && !depths_->areBehind() && rendering_->idle();
 }
 
-void VolumeNode::request(std::vector<RequestedView> views, bool outdated)
-{
-    request_ = rendering_->request(views, makerOfLook(), outdated || refining_);
-    refining_ = false;
-    requestedLook_ = lookStamp_;
-    requested_ = std::move(views);
-}
-
 /// Once what was asked for last is shown, and for as long as it rests.
 void VolumeNode::refine()
 {
-    if (!pace_ || requested_.empty() || published_ != request_ || pace_->refined())
-        return;
-    request_ = rendering_->request(requested_, pace_->resting(look()));
-    refining_ = true;
+    if (pace_ && !requested_.empty() && published_ == request_ && !pace_->refined())
+        request_ = rendering_->refine(requested_, pace_->resting(look()));
 }
 
 /// A first picture without the scene's depth would delay the right one by the time that it takes.
@@ -162,8 +155,6 @@ VolumeLook VolumeNode::look() const
 
 FrameMaker VolumeNode::makerOfLook()
 {
-    if (makeFrames_ || !fps_)
-        pace_.reset();
     if (makeFrames_)
         return makeFrames_;
     if (!fps_)
@@ -171,7 +162,7 @@ FrameMaker VolumeNode::makerOfLook()
             return renderer->render(look, views, progress);
         };
     const LeverTable levers = leversOf(renderSettings(options_));
-    if (!pace_ || !pace_->serves(renderer_.get(), levers))
+    if (!pace_ || pace_->levers() != levers)
         pace_ = PacedVolume::make(renderer_, levers, *fps_);
     return pace_->moving(look());
 }
